@@ -19,8 +19,8 @@ enum class ExitCode {
   interrupted = 130
 };
 
-// An error for people: `where` names the file and the place in it, `what` says what is wrong, `remedy` what to do.
-// what() reads "where: what. remedy" with the parts that are not empty.
+// An error for people: `where` names the file and the place in it, `what` says what is wrong,
+// `remedy` what to do. what() reads "where: what. remedy" with the parts that are not empty.
 class Error : public std::runtime_error {
 public:
   Error(ExitCode code, const std::string& where, const std::string& what,
@@ -31,8 +31,8 @@ private:
   ExitCode code_;
 };
 
-// One line on stderr, prefixed "groundglass: note: ", for what is not modelled or was mended in passing. Each distinct
-// text is printed once per process.
+// One line on stderr, prefixed "groundglass: note: ", for what is not modelled or was mended in
+// passing. Each distinct text is printed once per process.
 void note(const std::string& text);
 
 } // namespace gg

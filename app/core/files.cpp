@@ -2,6 +2,9 @@
 
 #include "core/error.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -12,15 +15,13 @@
 #include <fstream>
 #include <random>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 namespace gg {
 namespace fs = std::filesystem;
 namespace {
 
-// Paths that an interrupt has to remove. A signal handler may only touch lock-free atomics and call unlink, so the list
-// is fixed: more than 16 files being written at once is not something any command does.
+// Paths that an interrupt has to remove. A signal handler may only touch lock-free atomics and call
+// unlink, so the list is fixed: more than 16 files being written at once is not something any
+// command does.
 std::array<std::atomic<char*>, 16> unfinished{};
 
 int remember(const fs::path& path) {
@@ -43,12 +44,14 @@ void on_interrupt(int) {
   ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
-std::string reason() { return std::strerror(errno); }
+std::string reason() {
+  return std::strerror(errno);
+}
 
 bool is_home(const fs::path& directory) {
   std::error_code ignored;
-  return fs::is_directory(directory / "shaders", ignored) &&
-         fs::is_directory(directory / "assets", ignored);
+  return fs::is_directory(directory / "shaders", ignored)
+         && fs::is_directory(directory / "assets", ignored);
 }
 
 fs::path find_home() {
@@ -80,12 +83,13 @@ std::vector<std::byte> read_file(const fs::path& path, std::size_t limit_bytes) 
                 "Check the path and its permissions.");
   if (size > limit_bytes)
     throw Error(ExitCode::input, path,
-                "is " + std::to_string(size) + " bytes, more than the " +
-                    std::to_string(limit_bytes) + " that are accepted");
+                "is " + std::to_string(size) + " bytes, more than the "
+                    + std::to_string(limit_bytes) + " that are accepted");
   std::vector<std::byte> bytes(static_cast<std::size_t>(size));
   std::ifstream in(path, std::ios::binary);
-  if (!in || !in.read(reinterpret_cast<char*>(bytes.data()),
-                      static_cast<std::streamsize>(bytes.size())))
+  if (!in
+      || !in.read(reinterpret_cast<char*>(bytes.data()),
+                  static_cast<std::streamsize>(bytes.size())))
     throw Error(ExitCode::input, path, "cannot be read: " + reason(),
                 "Check the path and its permissions.");
   return bytes;
@@ -127,14 +131,17 @@ OutputFile::~OutputFile() {
 
 void OutputFile::write(std::span<const std::byte> bytes) {
   std::ofstream out(temporary_, std::ios::binary | std::ios::app);
-  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  out.write(reinterpret_cast<const char*>(bytes.data()),
+            static_cast<std::streamsize>(bytes.size()));
   out.flush();
   if (!out)
     throw Error(ExitCode::output, path_, "cannot be written: " + reason(),
                 "Check the space left on the disk.");
 }
 
-void OutputFile::write(std::string_view text) { write(std::as_bytes(std::span(text))); }
+void OutputFile::write(std::string_view text) {
+  write(std::as_bytes(std::span(text)));
+}
 
 void OutputFile::commit() {
   std::error_code error;

@@ -1,8 +1,8 @@
 #include "core/progress.h"
 
-#include <cstdio>
-
 #include <unistd.h>
+
+#include <cstdio>
 
 namespace gg {
 
@@ -26,7 +26,8 @@ void Progress::update(long done, const std::string& detail) {
     const double part = static_cast<double>(done) / static_cast<double>(total_);
     std::fprintf(stderr, "  %3.0f %%", 100.0 * part);
     // An estimate from less than a second of work would jump about.
-    if (seconds > 1.0 && done > 0) std::fprintf(stderr, "  %.0f s left", seconds * (1.0 / part - 1.0));
+    if (seconds > 1.0 && done > 0)
+      std::fprintf(stderr, "  %.0f s left", seconds * (1.0 / part - 1.0));
   } else {
     std::fprintf(stderr, "  %ld", done);
   }

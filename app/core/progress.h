@@ -14,8 +14,8 @@ public:
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // `done` steps of the total are finished; `detail` is shown after them ("error 4.1 %"). Redraws at most 10 times a
-  // second, so it may be called as often as is convenient. Not thread-safe.
+  // `done` steps of the total are finished; `detail` is shown after them ("error 4.1 %"). Redraws
+  // at most 10 times a second, so it may be called as often as is convenient. Not thread-safe.
   void update(long done, const std::string& detail = {});
 
 private:
