@@ -1,0 +1,10 @@
+#include "commands/commands.h"
+
+namespace gg::commands {
+
+void add_all(CLI::App& app) {
+  add_devices(app);
+  add_unfinished(app);
+}
+
+} // namespace gg::commands
