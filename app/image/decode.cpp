@@ -1,0 +1,58 @@
+// Which format it is, and the 8-bit formats' common front.
+#include "core/error.h"
+#include "image/formats.h"
+
+#include <cstring>
+
+namespace gg::image {
+namespace formats {
+namespace {
+
+bool has(Bytes bytes, std::string_view magic, std::size_t offset = 0) {
+  return bytes.size() >= offset + magic.size()
+         && std::memcmp(bytes.data() + offset, magic.data(), magic.size()) == 0;
+}
+
+} // namespace
+
+Format recognise(Bytes bytes) {
+  if (has(bytes, "#?")) return Format::hdr;
+  if (has(bytes, "\x76\x2f\x31\x01")) return Format::exr;
+  if (has(bytes, "PF\n") || has(bytes, "Pf\n") || has(bytes, "PF\r") || has(bytes, "Pf\r"))
+    return Format::pfm;
+  if (has(bytes, "\x89PNG\r\n\x1a\n")) return Format::png;
+  if (has(bytes, "\xff\xd8\xff")) return Format::jpeg;
+  if (has(bytes, "RIFF") && has(bytes, "WEBP", 8)) return Format::webp;
+  return Format::unknown;
+}
+
+void check_size(const std::string& where, long long width, long long height) {
+  const std::string size = std::to_string(width) + " x " + std::to_string(height);
+  if (width < 1 || height < 1)
+    throw Error(ExitCode::input, where, "declares " + size + " pixels, which is no picture",
+                "Write the file again with the program that made it.");
+  if (width > max_side || height > max_side || width * height > max_pixels)
+    throw Error(ExitCode::input, where, "declares " + size + " pixels, more than are accepted",
+                "Scale it down: at most " + std::to_string(max_pixels) + " pixels and "
+                    + std::to_string(max_side) + " on a side.");
+}
+
+} // namespace formats
+
+Image8 decode(const std::byte* data, std::size_t size, const std::string& name) {
+  const formats::Bytes bytes(data, size);
+  switch (formats::recognise(bytes)) {
+  case formats::Format::png:
+    return formats::decode_png(bytes, name);
+  case formats::Format::jpeg:
+    return formats::decode_jpeg(bytes, name);
+  case formats::Format::webp:
+    return formats::decode_webp(bytes, name);
+  default:
+    break;
+  }
+  throw Error(ExitCode::input, name, size == 0 ? "is empty" : "is not a PNG, JPEG or WebP picture",
+              "Convert it to one of these.");
+}
+
+} // namespace gg::image

@@ -1,0 +1,207 @@
+// OpenEXR pictures, by the OpenEXR library: any number of named channels, half or float or uint,
+// scan lines or tiles (level 0), first part.
+#include "core/error.h"
+#include "image/exr_streams.h"
+#include "image/formats.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfDoubleAttribute.h>
+#include <OpenEXR/ImfFloatAttribute.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+namespace gg::image::formats {
+namespace {
+
+// Enough for the truth's planes many times over; each costs a plane of floats.
+constexpr int max_channels = 64;
+
+template <class Number>
+std::string text_of(Number value) {
+  std::array<char, 64> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  return {digits.data(), end};
+}
+
+std::map<std::string, std::string> attributes_of(const Imf::Header& header) {
+  std::map<std::string, std::string> attributes;
+  for (auto it = header.begin(); it != header.end(); ++it) {
+    const Imf::Attribute* const a = &it.attribute();
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(a))
+      attributes[it.name()] = text->value();
+    else if (const auto* whole = dynamic_cast<const Imf::IntAttribute*>(a))
+      attributes[it.name()] = text_of(whole->value());
+    else if (const auto* single = dynamic_cast<const Imf::FloatAttribute*>(a))
+      attributes[it.name()] = text_of(single->value());
+    else if (const auto* twice = dynamic_cast<const Imf::DoubleAttribute*>(a))
+      attributes[it.name()] = text_of(twice->value());
+  }
+  return attributes;
+}
+
+void note_primaries(const Imf::Header& header, const std::string& name) {
+  if (!Imf::hasChromaticities(header)) return;
+  const Imf::Chromaticities rec709; // the library's default
+  const Imf::Chromaticities& own = Imf::chromaticities(header);
+  constexpr float two_digits = 0.0051f; // as primaries are often written
+  const bool same = own.red.equalWithAbsError(rec709.red, two_digits)
+                    && own.green.equalWithAbsError(rec709.green, two_digits)
+                    && own.blue.equalWithAbsError(rec709.blue, two_digits)
+                    && own.white.equalWithAbsError(rec709.white, two_digits);
+  if (!same)
+    note(name + ": its primaries are not those of Rec. 709; its values are used as if they were");
+}
+
+Exr read_file(Bytes bytes, const std::string& name) {
+  MemoryInput stream(bytes, name);
+  Imf::InputFile file(stream, 0);
+  const Imf::Header& header = file.header();
+  const Imath::Box2i window = header.dataWindow();
+  check_size(name, static_cast<long long>(window.max.x) - window.min.x + 1,
+             static_cast<long long>(window.max.y) - window.min.y + 1);
+  note_primaries(header, name);
+
+  Exr exr;
+  exr.width = window.max.x - window.min.x + 1;
+  exr.height = window.max.y - window.min.y + 1;
+  exr.attributes = attributes_of(header);
+  const std::size_t pixels =
+      static_cast<std::size_t>(exr.width) * static_cast<std::size_t>(exr.height);
+  Imf::FrameBuffer frame;
+  bool all_half = true;
+  int count = 0;
+  for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
+    const Imf::Channel& channel = it.channel();
+    if (channel.xSampling != 1 || channel.ySampling != 1)
+      throw Error(ExitCode::input, name + ", channel " + it.name(),
+                  "holds one value for several pixels (luminance and chroma)",
+                  "Save it with R, G and B channels.");
+    if (++count > max_channels || static_cast<long long>(pixels) * count > 8 * max_pixels)
+      throw Error(ExitCode::input, name, "has more channels than are accepted",
+                  "Save it with the channels that are needed only.");
+    if (std::string_view(it.name()) != "id") all_half &= channel.type == Imf::HALF;
+    std::vector<float>& plane = exr.channels[it.name()];
+    plane.resize(pixels);
+    frame.insert(it.name(), Imf::Slice::Make(Imf::FLOAT, plane.data(), window, sizeof(float),
+                                             sizeof(float) * static_cast<std::size_t>(exr.width)));
+  }
+  if (count == 0) throw Error(ExitCode::input, name, "has no channels", "Save it again with some.");
+  exr.half = all_half;
+  file.setFrameBuffer(frame);
+  file.readPixels(window.min.y, window.max.y);
+  return exr;
+}
+
+} // namespace
+
+Exr read_exr(Bytes bytes, const std::string& name) {
+  if (recognise(bytes) != Format::exr)
+    throw Error(ExitCode::input, name, "is not an OpenEXR picture", "Name an .exr file.");
+  // The library takes memory for line tables and tiles as soon as it has read the header.
+  static const bool limited = [] {
+    Imf::Header::setMaxImageSize(static_cast<int>(max_side), static_cast<int>(max_side));
+    Imf::Header::setMaxTileSize(4096, 4096);
+    return true;
+  }();
+  (void)limited;
+  try {
+    return read_file(bytes, name);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    std::string what = error.what();
+    while (!what.empty() && (what.back() == '.' || what.back() == '\n'))
+      what.pop_back();
+    throw Error(ExitCode::input, name, "is truncated or malformed: " + what,
+                "Download or write the file again.");
+  }
+}
+
+Image colour_of(const Exr& exr, const std::string& name) {
+  // Layers are the parts of names before the last point: "ViewLayer.Combined.R".
+  std::set<std::string> layers;
+  std::string listed;
+  for (const auto& [channel, plane] : exr.channels) {
+    listed += (listed.empty() ? "" : ", ") + channel;
+    const std::size_t point = channel.rfind('.');
+    const std::string layer = point == std::string::npos ? "" : channel.substr(0, point + 1);
+    if (exr.channels.contains(layer + "R") && exr.channels.contains(layer + "G")
+        && exr.channels.contains(layer + "B"))
+      layers.insert(layer);
+  }
+  std::vector<const std::vector<float>*> planes;
+  if (layers.contains("") || layers.size() == 1) {
+    const std::string layer = layers.contains("") ? "" : *layers.begin();
+    for (const char* const part : {"R", "G", "B", "A"})
+      if (const auto it = exr.channels.find(layer + part); it != exr.channels.end())
+        planes.push_back(&it->second);
+  } else if (const auto grey = exr.channels.find("Y");
+             layers.empty() && grey != exr.channels.end()) {
+    planes.assign(3, &grey->second);
+  } else {
+    throw Error(ExitCode::input, name,
+                (layers.empty() ? "has no colour: its channels are "
+                                : "has several layers of colour and none without a name: ")
+                    + listed,
+                "Save it with channels R, G and B.");
+  }
+  Image image(exr.width, exr.height, static_cast<int>(planes.size()));
+  const std::size_t channels = planes.size();
+  for (std::size_t c = 0; c < channels; ++c)
+    for (std::size_t i = 0; i < planes[c]->size(); ++i)
+      image.values[i * channels + c] = (*planes[c])[i];
+  return image;
+}
+
+std::vector<std::byte> encode_exr(const Exr& exr, const std::string& name) {
+  const std::size_t pixels =
+      exr.width > 0 && exr.height > 0
+          ? static_cast<std::size_t>(exr.width) * static_cast<std::size_t>(exr.height)
+          : 0;
+  if (pixels == 0 || exr.channels.empty())
+    throw Error(ExitCode::internal, name, "a picture without pixels or channels cannot be written");
+  Imf::Header header(exr.width, exr.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const auto& [key, value] : exr.attributes)
+    header.insert(key, Imf::StringAttribute(value));
+  const std::size_t row = static_cast<std::size_t>(exr.width);
+  std::map<std::string, std::vector<half>> halves;
+  Imf::FrameBuffer frame;
+  for (const auto& [channel, plane] : exr.channels) {
+    if (plane.size() != pixels)
+      throw Error(ExitCode::internal, name, "channel " + channel + " has the wrong size");
+    const bool as_half = exr.half && channel != "id";
+    const Imf::PixelType type = as_half ? Imf::HALF : Imf::FLOAT;
+    header.channels().insert(channel, Imf::Channel(type));
+    if (as_half) halves[channel].assign(plane.begin(), plane.end());
+    const void* const values = as_half ? static_cast<const void*>(halves[channel].data())
+                                       : static_cast<const void*>(plane.data());
+    const std::size_t size = as_half ? sizeof(half) : sizeof(float);
+    // The library reads through the pointer only; its type is shared with reading.
+    frame.insert(channel,
+                 Imf::Slice(type, static_cast<char*>(const_cast<void*>(values)), size, size * row));
+  }
+  try {
+    MemoryOutput stream(name);
+    {
+      Imf::OutputFile file(stream, header, 0);
+      file.setFrameBuffer(frame);
+      file.writePixels(exr.height);
+    } // its destructor writes the table of scan lines
+    return stream.take();
+  } catch (const std::exception& error) {
+    throw Error(ExitCode::internal, name, std::string("could not be encoded: ") + error.what());
+  }
+}
+
+} // namespace gg::image::formats

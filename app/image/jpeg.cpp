@@ -1,0 +1,105 @@
+// JPEG by libjpeg-turbo. It goes on after damage with a warning and grey blocks; here those
+// warnings are errors.
+#include "core/error.h"
+#include "image/formats.h"
+
+#include <jerror.h>
+#include <jpeglib.h>
+
+#include <array>
+#include <csetjmp>
+#include <cstdio>
+
+namespace gg::image::formats {
+namespace {
+
+// A progressive JPEG can hold any number of scans over the whole picture, each a few bytes: a small
+// file that takes hours. Encoders write about ten.
+constexpr int max_scans = 100;
+
+// As in png.cpp: what must outlive a longjmp lives in the caller's frame.
+struct Reader {
+  jpeg_decompress_struct jpeg{};
+  jpeg_error_mgr errors{};
+  jpeg_progress_mgr progress{};
+  std::jmp_buf out{};
+  Bytes in;
+  std::string message;
+
+  ~Reader() { jpeg_destroy_decompress(&jpeg); }
+
+  bool read_header() {
+    if (setjmp(out)) return false;
+    jpeg_create_decompress(&jpeg);
+    jpeg.client_data = this;
+    jpeg.progress = &progress;
+    jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(in.data()), in.size());
+    jpeg_read_header(&jpeg, TRUE);
+    return true;
+  }
+
+  bool read_pixels(std::uint8_t* rgba) {
+    if (setjmp(out)) return false;
+    jpeg.out_color_space = JCS_EXT_RGBA;
+    jpeg_start_decompress(&jpeg);
+    const std::size_t pitch = std::size_t{4} * jpeg.output_width;
+    while (jpeg.output_scanline < jpeg.output_height) {
+      JSAMPROW row = rgba + jpeg.output_scanline * pitch;
+      jpeg_read_scanlines(&jpeg, &row, 1);
+    }
+    jpeg_finish_decompress(&jpeg);
+    return true;
+  }
+};
+
+void on_error(j_common_ptr common) {
+  Reader& reader = *static_cast<Reader*>(common->client_data);
+  std::array<char, JMSG_LENGTH_MAX> text{};
+  common->err->format_message(common, text.data());
+  reader.message = text.data();
+  std::longjmp(reader.out, 1);
+}
+
+void on_message(j_common_ptr common, int level) {
+  // Bytes between segments harm nothing.
+  if (level < 0 && common->err->msg_code != JWRN_EXTRANEOUS_DATA) on_error(common);
+}
+
+void on_progress(j_common_ptr common) {
+  const auto* const jpeg = reinterpret_cast<jpeg_decompress_struct*>(common);
+  if (jpeg->input_scan_number <= max_scans) return;
+  Reader& reader = *static_cast<Reader*>(common->client_data);
+  reader.message = "more than " + std::to_string(max_scans) + " scans";
+  std::longjmp(reader.out, 1);
+}
+
+[[noreturn]] void fail(const Reader& reader, const std::string& name) {
+  const std::size_t left = reader.jpeg.src ? reader.jpeg.src->bytes_in_buffer : 0;
+  const std::size_t at = left <= reader.in.size() ? reader.in.size() - left : 0;
+  throw Error(ExitCode::input, name + ", byte " + std::to_string(at),
+              "is truncated or malformed: " + reader.message, "Download or write the file again.");
+}
+
+} // namespace
+
+Image8 decode_jpeg(Bytes bytes, const std::string& name) {
+  Reader reader;
+  reader.in = bytes;
+  reader.jpeg.err = jpeg_std_error(&reader.errors);
+  reader.jpeg.client_data = &reader;
+  reader.errors.error_exit = on_error;
+  reader.errors.emit_message = on_message;
+  reader.progress.progress_monitor = on_progress;
+  if (!reader.read_header()) fail(reader, name);
+  check_size(name, reader.jpeg.image_width, reader.jpeg.image_height);
+  if (reader.jpeg.jpeg_color_space == JCS_CMYK || reader.jpeg.jpeg_color_space == JCS_YCCK)
+    throw Error(ExitCode::input, name, "holds printing inks (CMYK)", "Save it as an RGB picture.");
+  Image8 image{.width = static_cast<int>(reader.jpeg.image_width),
+               .height = static_cast<int>(reader.jpeg.image_height),
+               .rgba = {}};
+  image.rgba.resize(std::size_t{4} * reader.jpeg.image_width * reader.jpeg.image_height);
+  if (!reader.read_pixels(image.rgba.data())) fail(reader, name);
+  return image;
+}
+
+} // namespace gg::image::formats
