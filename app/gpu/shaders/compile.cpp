@@ -1,0 +1,138 @@
+#include "gpu/shaders/compile.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "gpu/shaders/includes.h"
+
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <sstream>
+
+namespace gg::gpu::shaders {
+namespace fs = std::filesystem;
+namespace {
+
+// OpenGL's indices are called Id and count from 0; Vulkan's are called Index and count from the
+// draw's first vertex or instance, which is always 0 here.
+constexpr const char* opengl_prelude = "#extension GL_GOOGLE_include_directive : require\n"
+                                       "#define vertexIndex gl_VertexID\n"
+                                       "#define instanceIndex gl_InstanceID\n";
+constexpr const char* vulkan_prelude = "#extension GL_GOOGLE_include_directive : require\n"
+                                       "#define vertexIndex gl_VertexIndex\n"
+                                       "#define instanceIndex gl_InstanceIndex\n";
+
+constexpr int glsl_version = 450;
+
+// The compiler's tables, built at first use and taken down at exit.
+struct Compiler {
+  Compiler() { glslang::InitializeProcess(); }
+  ~Compiler() { glslang::FinalizeProcess(); }
+};
+
+EShLanguage language(Stage stage) {
+  switch (stage) {
+  case Stage::vertex:
+    return EShLangVertex;
+  case Stage::fragment:
+    return EShLangFragment;
+  case Stage::compute:
+    return EShLangCompute;
+  }
+  return EShLangCount;
+}
+
+Stage stage_of(const fs::path& file) {
+  const std::string extension = file.extension().string();
+  if (extension == ".vert") return Stage::vertex;
+  if (extension == ".frag") return Stage::fragment;
+  if (extension == ".comp") return Stage::compute;
+  throw Error(ExitCode::internal, file,
+              "is not a stage: its name ends in none of .vert .frag .comp");
+}
+
+// The compiler says "ERROR: stages/x.frag:7: 'y' : undeclared identifier", then a count. Splits
+// that into the first place and the list without the prefixes.
+[[noreturn]] void fail(const std::string& name, const std::string& log) {
+  constexpr std::string_view prefix = "ERROR: ";
+  std::istringstream lines(log);
+  std::string line, place = name, text;
+  bool first = true;
+  while (std::getline(lines, line)) {
+    if (line.empty() || line.find("compilation errors.") != std::string::npos) continue;
+    if (line.starts_with(prefix)) line.erase(0, prefix.size());
+    const std::size_t message = line.find(": ");
+    if (first && message != std::string::npos) {
+      place = line.substr(0, message);
+      text += line.substr(message + 2);
+    } else {
+      text += (first ? "" : "\n  ") + line;
+    }
+    first = false;
+  }
+  throw Error(ExitCode::internal, place, text);
+}
+
+Module build(const std::string& name, const fs::path& file, Stage stage, const std::string& text,
+             Backend backend) {
+  static const Compiler compiler;
+  const bool vulkan = backend == Backend::vulkan;
+  const auto client = vulkan ? glslang::EShClientVulkan : glslang::EShClientOpenGL;
+
+  glslang::TShader shader(language(stage));
+  const char* string = text.data();
+  const int length = static_cast<int>(text.size());
+  const char* shown = name.c_str();
+  shader.setStringsWithLengthsAndNames(&string, &length, &shown, 1);
+  shader.setPreamble(vulkan ? vulkan_prelude : opengl_prelude);
+  shader.setEnvInput(glslang::EShSourceGlsl, language(stage), client, vulkan ? 100 : glsl_version);
+  shader.setEnvClient(client, vulkan ? glslang::EShTargetVulkan_1_1 : glslang::EShTargetOpenGL_450);
+  shader.setEnvTarget(glslang::EShTargetSpv,
+                      vulkan ? glslang::EShTargetSpv_1_3 : glslang::EShTargetSpv_1_0);
+  const auto rules =
+      static_cast<EShMessages>(EShMsgSpvRules | (vulkan ? EShMsgVulkanRules : EShMsgDefault));
+
+  Includes includes(name, file);
+  if (!shader.parse(GetDefaultResources(), glsl_version, false, rules, includes))
+    fail(name, shader.getInfoLog());
+  glslang::TProgram program;
+  program.addShader(&shader);
+  if (!program.link(rules)) fail(name, program.getInfoLog());
+
+  Module module{name, stage, {}};
+  glslang::SpvOptions options;
+  options.disableOptimizer = true; // specialize() is where code is removed
+  glslang::GlslangToSpv(*program.getIntermediate(language(stage)), module.words, &options);
+  return module;
+}
+
+} // namespace
+
+std::shared_ptr<const Module> compile(std::string_view stage_file, Backend backend) {
+  using Key = std::pair<fs::path, Backend>;
+  static std::mutex mutex;
+  static std::map<Key, std::shared_ptr<const Module>> known;
+
+  const Key key{home_directory() / "shaders" / "stages" / stage_file, backend};
+  {
+    const std::lock_guard lock(mutex);
+    if (const auto found = known.find(key); found != known.end()) return found->second;
+  }
+  // Outside the lock, so that threads compile different stages at once; of two that compile the
+  // same one, the first to finish is kept.
+  auto module = std::make_shared<const Module>(build(
+      display_name(key.first), key.first, stage_of(key.first), read_text(key.first), backend));
+  const std::lock_guard lock(mutex);
+  return known.emplace(key, std::move(module)).first->second;
+}
+
+Module compile_text(const std::string& name, Stage stage, const std::string& text,
+                    Backend backend) {
+  return build(name, home_directory() / "shaders" / name, stage, text, backend);
+}
+
+} // namespace gg::gpu::shaders
