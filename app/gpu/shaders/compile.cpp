@@ -17,14 +17,14 @@ namespace gg::gpu::shaders {
 namespace fs = std::filesystem;
 namespace {
 
-// OpenGL's indices are called Id and count from 0; Vulkan's are called Index and count from the
-// draw's first vertex or instance, which is always 0 here.
+// Stages are written in Vulkan's dialect. OpenGL calls the indices Id and counts from 0, Vulkan
+// counts from the draw's first vertex or instance, which is always 0 here. The second extension is
+// there for one thing: with it the compiler lets a name that begins with gl_ be defined.
 constexpr const char* opengl_prelude = "#extension GL_GOOGLE_include_directive : require\n"
-                                       "#define vertexIndex gl_VertexID\n"
-                                       "#define instanceIndex gl_InstanceID\n";
-constexpr const char* vulkan_prelude = "#extension GL_GOOGLE_include_directive : require\n"
-                                       "#define vertexIndex gl_VertexIndex\n"
-                                       "#define instanceIndex gl_InstanceIndex\n";
+                                       "#extension GL_EXT_spirv_intrinsics : require\n"
+                                       "#define gl_VertexIndex gl_VertexID\n"
+                                       "#define gl_InstanceIndex gl_InstanceID\n";
+constexpr const char* vulkan_prelude = "#extension GL_GOOGLE_include_directive : require\n";
 
 constexpr int glsl_version = 450;
 

@@ -17,8 +17,9 @@ namespace gg::gpu::shaders {
 // once. Compiled modules are remembered for the life of the process. Safe to call from several
 // threads.
 //
-// A prelude hides what differs between the APIs: `vertexIndex` and `instanceIndex` count from 0
-// within a draw. gl_FragCoord counts rows from the row 0 of the target in both.
+// The text is in Vulkan's dialect (gl_VertexIndex, gl_InstanceIndex: both count from 0, no draw
+// starts elsewhere); for OpenGL a prelude renames. gl_FragCoord counts rows from row 0 of the
+// target in both.
 //
 // Throws Error(internal) with the compiler's log, naming file and line; Error(input) if the file
 // cannot be read.
