@@ -62,6 +62,15 @@ struct DeviceInfo {
   bool software = false;
 };
 
+// What a device has done since it was made. A frame in steady state changes none of the first three.
+struct DeviceCounters {
+  std::uint64_t created = 0;     // objects of the API: buffers, textures, views, samplers, programs
+  std::uint64_t allocations = 0; // of device memory, where the API lets us ask for it
+  std::uint64_t compiled = 0;    // shader modules and pipelines
+  std::uint64_t submissions = 0, passes = 0, draws = 0, dispatches = 0;
+  double record_ms = 0.0; // host time in run(), recording and submitting; waiting is not counted
+};
+
 class Device {
 public:
   virtual ~Device() = default;
@@ -94,6 +103,7 @@ public:
 
   virtual std::size_t memory_bytes() const = 0; // held by buffers and textures that are alive
   virtual int max_texture_size() const = 0;
+  virtual DeviceCounters counters() const = 0;
 };
 
 enum class Backend { opengl, vulkan };
