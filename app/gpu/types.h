@@ -3,9 +3,11 @@
 //
 // Conventions that every backend keeps:
 //   clip space   x right, y up, z in 0..1; reversed depth is the caller's choice of projection and
-//   compare pictures     row 0 is the top, texture coordinate (0, 0) is the corner of its first
-//   texel front faces  counter-clockwise as seen cubes        faces +X -X +Y -Y +Z -Z as OpenGL and
-//   Vulkan define them, filtered across edges
+//                compare
+//   pictures     row 0 is the top; texture coordinate (0, 0) is the corner of its first texel
+//   front faces  counter-clockwise as seen
+//   cubes        faces +X -X +Y -Y +Z -Z as OpenGL and Vulkan define them, filtered across edges
+//   block offset a uniform or storage block starts at a multiple of block_alignment
 #pragma once
 
 #include <array>
@@ -72,6 +74,17 @@ struct TextureDesc {
   Use use = Use::sampled;
 };
 
+// The size of one level; `layers` counts faces of cubes and, at that level, slices of volumes.
+struct Extent {
+  int width = 1, height = 1, layers = 1;
+};
+Extent extent(const TextureDesc& desc, int level);
+int max_levels(const TextureDesc& desc);    // of a complete mip chain
+std::size_t bytes(const TextureDesc& desc); // of all levels and layers
+
+// What every OpenGL 4.5 and Vulkan 1.3 device accepts as the offset of a block.
+constexpr std::size_t block_alignment = 256;
+
 enum class Filter { nearest, linear };
 enum class Wrap { repeat, mirrored_repeat, clamp };
 
@@ -79,6 +92,7 @@ struct SamplerDesc {
   Filter magnify = Filter::linear, minify = Filter::linear, between_levels = Filter::nearest;
   Wrap u = Wrap::clamp, v = Wrap::clamp, w = Wrap::clamp;
   float max_anisotropy = 1.0f;
+  float max_level = 1000.0f; // 0: never reads a smaller level
   bool operator==(const SamplerDesc&) const = default;
 };
 
