@@ -1,0 +1,62 @@
+// The options that say what is drawn and from where: the same for every command that draws.
+#pragma once
+
+#include "environment/map.h"
+#include "frame/features.h"
+#include "gpu/device.h"
+#include "scene/scene.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace gg::commands {
+
+// As typed; the functions below turn them into things and complain about what does not exist.
+struct SceneOptions {
+  std::string scene;
+  std::vector<std::string> materials; // 'NAME=PRESET[,k=v]'
+  std::string env;                    // a file, `none`, a colour "R,G,B", or empty: the default
+  float env_rotation = 0.0f;          // degrees
+  float env_intensity = 1.0f;
+  std::string size = "1280x720";
+  std::string camera; // name or index
+  std::string eye, target, up = "0,1,0";
+  std::optional<float> fovy; // degrees
+};
+
+struct DeviceOptions {
+  std::string backend = "opengl", surface;
+  int device = -1;
+};
+
+struct MethodOptions {
+  std::string method = "lobes1", smith = "separable";
+  bool multiscatter = false;
+  int samples = 16;
+};
+
+void add_options(CLI::App& app, SceneOptions& options);
+void add_options(CLI::App& app, DeviceOptions& options);
+void add_options(CLI::App& app, MethodOptions& options);
+
+struct Size {
+  int width = 0, height = 0;
+};
+// "WxH", both from 1 to 16384. Throws Error(usage).
+Size parse_size(const std::string& text);
+// "X,Y,Z", finite. Throws Error(usage) naming the option.
+glm::vec3 parse_vec3(const std::string& text, const std::string& option);
+
+scene::Scene load_scene(const SceneOptions& options);
+scene::Camera choose_camera(const SceneOptions& options, const scene::Scene& scene, Size size);
+// Nothing if the scene is lit by its own lights alone.
+std::optional<environment::Map> load_environment(const SceneOptions& options, const scene::Scene& scene);
+std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options);
+frame::Method parse_method(const std::string& text);
+
+} // namespace gg::commands

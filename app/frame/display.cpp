@@ -1,0 +1,2 @@
+#include "frame/display.h"
+#include "core/error.h"

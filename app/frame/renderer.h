@@ -1,0 +1,84 @@
+// A frame of one scene: which passes it takes, and running them.
+#pragma once
+
+#include "frame/features.h"
+#include "frame/uploaded_scene.h"
+#include "gpu/device.h"
+#include "image/image.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gg::environment {
+struct Stack;
+}
+namespace gg::tables {
+struct DeviceTables;
+}
+
+namespace gg::frame {
+
+// The light from all around. `stack` null: there is none.
+struct EnvironmentView {
+  const environment::Stack* stack = nullptr;
+  float rotation = 0.0f;  // radians about +Y, counter-clockwise seen from above
+  float intensity = 1.0f; // factor on its radiance
+};
+
+struct FrameDesc {
+  int width = 1280, height = 720;
+  int samples =
+      16; // sub-pixel frames that are averaged: antialiasing with a box filter of one pixel
+  scene::Camera camera;
+  EnvironmentView environment;
+  Method method = Method::lobes1;
+  bool correlated_smith = false, multiple_scattering = false;
+};
+
+class Renderer {
+public:
+  // Uploads the scene and compiles what it needs; `scene` and the environment must outlive the
+  // renderer.
+  Renderer(gpu::Device& device, const scene::Scene& scene, const tables::DeviceTables& tables,
+           const FrameDesc& desc);
+  ~Renderer();
+
+  // Draws the frame. With `times`, adds what each pass took, summed over the samples, under its
+  // label.
+  void draw(std::map<std::string, double>* times = nullptr);
+  // One sample of the frame, for callers that show progress; 0 <= i < samples, in order.
+  void draw_sample(int i, std::map<std::string, double>* times = nullptr);
+
+  // The frame as drawn: linear radiance, RGBA (a = coverage by meshes or environment).
+  image::Image read();
+
+  std::vector<std::string> pass_labels() const;             // in the order of one sample
+  std::size_t triangle_count() const { return triangles_; } // per sample
+
+private:
+  struct Draw;
+  void make_targets();
+  void make_frame_blocks();
+  void make_draws();
+  void make_passes();
+  gpu::PipelineRef pipeline(const FeatureKey& key, bool blended);
+  void record(gpu::Encoder& encoder, const Draw& draw) const;
+  void record_sky(gpu::Encoder& encoder, int sample) const;
+
+  gpu::Device& device_;
+  FrameDesc desc_;
+  const tables::DeviceTables& tables_;
+  UploadedScene uploaded_;
+  gpu::TextureRef color_, depth_, average_;
+  UniformArray frames_; // one block per sample
+  gpu::SamplerRef nearest_;
+  gpu::PipelineRef sky_, accumulate_;
+  std::map<std::pair<FeatureKey, bool>, gpu::PipelineRef> pipelines_;
+  std::vector<Draw> opaque_, blended_;         // near to far, far to near
+  std::vector<std::vector<gpu::Pass>> passes_; // by sample
+  std::size_t triangles_ = 0;
+};
+
+} // namespace gg::frame

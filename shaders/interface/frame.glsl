@@ -1,0 +1,17 @@
+// frame.glsl: what every draw of a frame shares. One text for GLSL and C++ (app/frame/blocks.h).
+// Layout   only vec4, ivec4 and mat4, so that std140 and C++ agree without padding rules.
+
+struct FrameData {
+    mat4 clipFromWorld;     // with this sample's sub-pixel offset
+    mat4 worldFromClip;     // its inverse: sky directions
+    vec4 eye;               // xyz: the camera's position, metres; w: 1, or 0 for an orthographic camera
+    vec4 viewDirection;     // xyz: unit, where an orthographic camera looks
+    vec4 environment;       // x, y: cosine and sine of the rotation about +Y; z: intensity; w: radiance of one stored unit
+    ivec4 counts;           // x: punctual lights
+};
+
+#ifndef __cplusplus
+layout(std140, binding = 0) uniform Frame {
+    FrameData frame;
+};
+#endif

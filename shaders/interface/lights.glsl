@@ -1,0 +1,14 @@
+// lights.glsl: punctual lights (KHR_lights_punctual). One text for GLSL and C++ (app/frame/blocks.h).
+
+struct LightData {
+    vec4 position;  // xyz: metres; w: 1 / range², 0 without a range
+    vec4 direction; // xyz: unit, the way light travels; w: kind, 0 directional, 1 point, 2 spot
+    vec4 intensity; // xyz: lux (directional) or candela
+    vec4 cone;      // x: scale, y: offset of the spot's falloff
+};
+
+#ifndef __cplusplus
+layout(std430, binding = 3) readonly buffer Lights {
+    LightData lights[];
+};
+#endif

@@ -1,0 +1,33 @@
+// material.glsl: the numbers of one material. One text for GLSL and C++ (app/frame/blocks.h).
+// What a material does not use is switched off by the specialization constants of stages/material_features.glsl, not by
+// values here.
+
+struct MaterialData {
+    vec4 baseColor;         // linear, w: coverage
+    vec4 emissive;          // xyz: radiance; w: alpha cutoff
+    vec4 surface;           // x: metallic, y: roughness, z: alpha where given directly, w: ior
+    vec4 specular;          // xyz: colour, w: strength (KHR_materials_specular)
+    vec4 conductorN;        // xyz: complex index n - i k per channel
+    vec4 conductorK;
+    // KHR_texture_transform of each map: uv' = (row0 . (u, v, 1), row1 . (u, v, 1)); row1.w: scale or strength.
+    vec4 baseColorRow0;
+    vec4 baseColorRow1;
+    vec4 metallicRoughnessRow0;
+    vec4 metallicRoughnessRow1;
+    vec4 normalRow0;
+    vec4 normalRow1;
+    vec4 occlusionRow0;
+    vec4 occlusionRow1;
+    vec4 emissiveRow0;
+    vec4 emissiveRow1;
+    vec4 specularRow0;
+    vec4 specularRow1;
+    vec4 specularColorRow0;
+    vec4 specularColorRow1;
+};
+
+#ifndef __cplusplus
+layout(std140, binding = 2) uniform Material {
+    MaterialData material;
+};
+#endif

@@ -1,0 +1,23 @@
+// material_features.glsl: what a material uses, as specialization constants, so that a draw pays for nothing else.
+// Numbers   the same as in app/frame/features.h.
+// Maps      the constant of a map is 0 where there is none, else 1 + the set of texture coordinates that it reads.
+
+layout(constant_id = 0) const int baseColorMapUv = 0;
+layout(constant_id = 1) const int metallicRoughnessMapUv = 0;
+layout(constant_id = 2) const int normalMapUv = 0;
+layout(constant_id = 3) const int occlusionMapUv = 0;
+layout(constant_id = 4) const int emissiveMapUv = 0;
+layout(constant_id = 5) const int specularMapUv = 0;
+layout(constant_id = 6) const int specularColorMapUv = 0;
+layout(constant_id = 7) const bool hasVertexColor = false;
+layout(constant_id = 8) const int alphaMode = 0;       // 0 opaque, 1 mask, 2 blend
+layout(constant_id = 9) const int shading = 0;         // 0 unlit, 1 dielectric, 2 metal, 3 both mixed by metallic, 4 conductor
+layout(constant_id = 10) const int distribution = 0;   // 0 GGX, 1 Beckmann, 2 Phong
+layout(constant_id = 11) const bool correlatedSmith = false;
+layout(constant_id = 12) const int method = 1;         // 0 standard (split sum along the mirror direction), K: K taps
+layout(constant_id = 13) const bool hasEnvironment = true;
+layout(constant_id = 14) const bool hasLights = false;
+layout(constant_id = 15) const bool alphaIsGiven = false; // material.surface.z in place of roughness²
+layout(constant_id = 16) const bool multipleScattering = false;
+layout(constant_id = 17) const bool schlickDielectric = false; // KHR_materials_specular tints: F0 is a colour
+layout(constant_id = 18) const int uvSets = 0;          // how many sets of texture coordinates the maps read

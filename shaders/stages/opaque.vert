@@ -1,0 +1,35 @@
+// opaque.vert: a mesh into the picture, with what the surface needs in world space.
+#version 450
+#include "interface/frame.glsl"
+#include "interface/instance.glsl"
+#include "stages/material_features.glsl"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+layout(location = 2) in vec4 inTangent; // w: the sign of the bitangent
+layout(location = 3) in vec4 inColor;
+layout(location = 4) in vec2 inUv0; // the sets that the material's maps read, in the order of frame/features.h
+layout(location = 5) in vec2 inUv1;
+layout(location = 6) in vec2 inUv2;
+layout(location = 7) in vec2 inUv3;
+
+layout(location = 0) out vec3 outPosition; // world, metres
+layout(location = 1) out vec3 outNormal;   // world, length left to interpolation
+layout(location = 2) out vec4 outTangent;
+layout(location = 3) out vec4 outColor;
+layout(location = 4) out vec4 outUv01;
+layout(location = 5) out vec4 outUv23;
+
+void main() {
+    vec4 position = instance.worldFromMesh * vec4(inPosition, 1.0);
+    gl_Position = frame.clipFromWorld * position;
+    outPosition = position.xyz;
+    outNormal = mat3(instance.normalFromMesh) * inNormal;
+    // What no map reads is neither fetched nor transformed.
+    outTangent = vec4(0.0);
+    if (normalMapUv > 0)
+        outTangent = vec4(mat3(instance.worldFromMesh) * inTangent.xyz, inTangent.w * instance.normalFromMesh[3][3]);
+    outColor = hasVertexColor ? inColor : vec4(1.0);
+    outUv01 = vec4(uvSets > 0 ? inUv0 : vec2(0.0), uvSets > 1 ? inUv1 : vec2(0.0));
+    outUv23 = vec4(uvSets > 2 ? inUv2 : vec2(0.0), uvSets > 3 ? inUv3 : vec2(0.0));
+}

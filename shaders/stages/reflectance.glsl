@@ -1,0 +1,60 @@
+// reflectance.glsl: the opaque material as a BSDF: Cook-Torrance over glTF's diffuse.
+// Needs    stages/surface.glsl.
+// Source   [Walter07] eq. 20; glTF 2.0 appendix B (diffuse under the specular lobe); KHR_materials_specular.
+#include "bsdf/beckmann.glsl"
+#include "bsdf/fresnel_conductor.glsl"
+#include "bsdf/fresnel_dielectric.glsl"
+#include "bsdf/fresnel_schlick.glsl"
+#include "bsdf/ggx.glsl"
+#include "bsdf/phong.glsl"
+#include "bsdf/reflection.glsl"
+
+// A dielectric whose reflectance glTF gives as a colour: reflectance at 0 and at 90 degrees.
+struct SchlickPair {
+    vec3 f0;
+    float f90;
+};
+
+SchlickPair dielectricSchlick(Surface s) {
+    // glTF: an ior of 0 stands for reflecting everything.
+    float f0 = material.surface.w > 0.0 ? fresnelNormalIncidence(material.surface.w) : 1.0;
+    SchlickPair pair;
+    pair.f0 = min(f0 * s.specularColor, vec3(1.0)) * s.specular;
+    pair.f90 = s.specular;
+    return pair;
+}
+
+vec3 dielectricFresnel(Surface s, float c) {
+    if (!schlickDielectric) return vec3(fresnelDielectricAt(c, material.surface.w));
+    SchlickPair pair = dielectricSchlick(s);
+    return pair.f0 + (vec3(pair.f90) - pair.f0) * schlickWeight(c);
+}
+
+// D V of the material's distribution: f_r without Fresnel's factor.
+float materialLobe(Surface s, Facet f) {
+    if (distribution == 1) return reflectionLobe(f, beckmannD(f.h, s.alpha), beckmannV(f.wi, f.wo, s.alpha));
+    if (distribution == 2) {
+        float exponent = phongExponent(s.alpha);
+        return reflectionLobe(f, phongD(f.h, exponent), phongV(f.wi, f.wo, exponent));
+    }
+    float v = correlatedSmith ? ggxVCorrelated(f.wi, f.wo, s.alpha) : ggxV(f.wi, f.wo, s.alpha);
+    return reflectionLobe(f, ggxD(f.h, s.alpha), v);
+}
+
+// f(wi, wo) |wi . n|. Smooth surfaces (alpha = 0) reflect a point of light to nobody: 0.
+vec3 materialFCos(Surface s, vec3 wi) {
+    Facet f = reflectionFacet(wi, s.wo, s.n, 1.5); // its g, which alone depends on the index, is not used below
+    if (!f.exists) return vec3(0.0);
+    float lobe = materialLobe(s, f);
+    float c = f.woDotM;
+    vec3 value = vec3(0.0);
+    if (shading == 4) return lobe * f.wi.z * fresnelConductorRgb(c, material.conductorN.xyz, material.conductorK.xyz);
+    if (shading != 2) {
+        vec3 fresnel = dielectricFresnel(s, c);
+        float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
+        value = fresnel * lobe + under * s.baseColor / BSDF_PI;
+    }
+    if (shading == 2) value = fresnelSchlickRgb(c, s.baseColor) * lobe;
+    if (shading == 3) value = mix(value, fresnelSchlickRgb(c, s.baseColor) * lobe, s.metallic);
+    return value * f.wi.z;
+}

@@ -1,0 +1,97 @@
+// surface.glsl: what the material and its maps say about the point of a fragment.
+// Frame    world, metres; directions unit and away from the surface.
+// Needs    the inputs of opaque.vert, interface/frame.glsl, interface/material.glsl, stages/material_features.glsl.
+// Source   glTF 2.0 §3.9 and the extensions named at each line.
+
+layout(binding = 8) uniform sampler2D baseColorMap;
+layout(binding = 9) uniform sampler2D metallicRoughnessMap;
+layout(binding = 10) uniform sampler2D normalMap;
+layout(binding = 11) uniform sampler2D occlusionMap;
+layout(binding = 12) uniform sampler2D emissiveMap;
+layout(binding = 13) uniform sampler2D specularMap;
+layout(binding = 14) uniform sampler2D specularColorMap;
+
+struct Surface {
+    vec3 position;
+    vec3 wo;           // to the viewer
+    vec3 n;            // shading normal, on wo's side: dot(n, wo) >= 0
+    vec3 baseColor;
+    float metallic;
+    float alpha;       // width of D
+    vec3 specularColor;
+    float specular;
+    float occlusion;
+    vec3 emissive;
+};
+
+vec2 mapUv(int uvPlusOne, vec4 row0, vec4 row1) {
+    vec2 uv = uvPlusOne == 1 ? inUv01.xy : uvPlusOne == 2 ? inUv01.zw : uvPlusOne == 3 ? inUv23.xy : inUv23.zw;
+    vec3 at = vec3(uv, 1.0);
+    return vec2(dot(row0.xyz, at), dot(row1.xyz, at));
+}
+
+vec4 surfaceBaseColor() {
+    vec4 color = material.baseColor;
+    if (baseColorMapUv > 0)
+        color *= texture(baseColorMap, mapUv(baseColorMapUv, material.baseColorRow0, material.baseColorRow1));
+    if (hasVertexColor) color *= inColor;
+    return color;
+}
+
+// The interpolated normal, bent by the normal map. MikkTSpace: the basis is interpolated and used as it arrives, neither
+// made unit nor orthogonal, because that is what the map was baked for.
+vec3 surfaceNormal(bool front) {
+    vec3 n = inNormal;
+    if (normalMapUv > 0) {
+        vec3 bitangent = inTangent.w * cross(inNormal, inTangent.xyz);
+        vec3 bend = texture(normalMap, mapUv(normalMapUv, material.normalRow0, material.normalRow1)).xyz * 2.0 - 1.0;
+        bend.xy *= material.normalRow1.w;
+        n = bend.x * inTangent.xyz + bend.y * bitangent + bend.z * inNormal;
+    }
+    if (!front) n = -n; // glTF: a back face's normal is turned before lighting
+    float s = dot(n, n);
+    return s > 0.0 ? n * inversesqrt(s) : vec3(0.0, 0.0, 1.0);
+}
+
+// Interpolated and mapped normals can turn away from a viewer who sees the surface. Microfacet theory has no answer
+// there (G = 0: black fringes at silhouettes), so n moves by the least turn that makes it perpendicular to wo.
+vec3 faceViewer(vec3 n, vec3 wo) {
+    float c = dot(n, wo);
+    return c >= 0.0 ? n : normalize(n - c * wo);
+}
+
+Surface readSurface(vec4 base) {
+    Surface s;
+    s.position = inPosition;
+    s.baseColor = base.xyz;
+    s.wo = frame.eye.w > 0.0 ? normalize(frame.eye.xyz - inPosition) : -frame.viewDirection.xyz;
+    s.n = faceViewer(surfaceNormal(gl_FrontFacing), s.wo);
+
+    float roughness = material.surface.y;
+    s.metallic = material.surface.x;
+    if (metallicRoughnessMapUv > 0) {
+        vec4 map = texture(metallicRoughnessMap,
+                           mapUv(metallicRoughnessMapUv, material.metallicRoughnessRow0, material.metallicRoughnessRow1));
+        s.metallic *= map.z;
+        roughness *= map.y;
+    }
+    s.alpha = alphaIsGiven ? material.surface.z : roughness * roughness;
+
+    s.specular = material.specular.w; // KHR_materials_specular
+    s.specularColor = material.specular.xyz;
+    if (specularMapUv > 0)
+        s.specular *= texture(specularMap, mapUv(specularMapUv, material.specularRow0, material.specularRow1)).w;
+    if (specularColorMapUv > 0)
+        s.specularColor *=
+            texture(specularColorMap, mapUv(specularColorMapUv, material.specularColorRow0, material.specularColorRow1)).xyz;
+
+    s.occlusion = 1.0;
+    if (occlusionMapUv > 0) {
+        float map = texture(occlusionMap, mapUv(occlusionMapUv, material.occlusionRow0, material.occlusionRow1)).x;
+        s.occlusion = 1.0 + material.occlusionRow1.w * (map - 1.0);
+    }
+    s.emissive = material.emissive.xyz;
+    if (emissiveMapUv > 0)
+        s.emissive *= texture(emissiveMap, mapUv(emissiveMapUv, material.emissiveRow0, material.emissiveRow1)).xyz;
+    return s;
+}
