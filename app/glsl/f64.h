@@ -13,6 +13,8 @@
 
 namespace gg::glsl::f64 {
 using Real = double;
+#define BSDF_DOUBLE
 #include "glsl/shim.inl"
 #include "glsl_generated/f64.inl"
+#undef BSDF_DOUBLE
 } // namespace gg::glsl::f64
