@@ -21,19 +21,20 @@ float fresnelG(float c, float eta) {
   return sqrt(max((eta - 1.0) * (eta + 1.0) + c * c, 0.0));
 }
 
-// With (c - g)(c + g) = 1 - eta² =: -K, and the same for the p pair, both amplitudes lose their subtraction:
-// rs = K / (c + g)², rp = K (eta² c² - sin²) / (eta² c + g)². What is left can only vanish where it must: at Brewster.
+// rs = (c - g) / (c + g) with (c - g)(c + g) = 1 - eta² =: -K, and rp = rs cos(i + t) / cos(i - t): neither subtracts what
+// is nearly equal, but for c g - sin² at Brewster's angle, where rp is to vanish. sin² comes from the rarer side, where it
+// is larger: (1 - c)(1 + c) of the known side keeps few digits where all angles are small, at eta < 1.
 Polarized fresnelPolarized(float c, float g, float eta) {
   Polarized r;
   r.s = eta == 1.0 ? 0.0 : 1.0;
   r.p = r.s;
   if (g > 0.0 && eta > 0.0) {
     float k = (eta - 1.0) * (eta + 1.0);
-    float eta2 = eta * eta;
+    float sin2 = eta < 1.0 ? (eta - g) * (eta + g) : (1.0 - c) * (1.0 + c);
     float across = c + g;
-    float along = eta2 * c + g;
+    float along = (c * g - sin2) / (c * g + sin2);
     float rs = k / (across * across);
-    float rp = k * (eta2 * c * c - (1.0 - c) * (1.0 + c)) / (along * along);
+    float rp = rs * along;
     r.s = min(rs * rs, 1.0);
     r.p = min(rp * rp, 1.0);
   }
