@@ -18,7 +18,8 @@ bool has(Bytes bytes, std::string_view magic, std::size_t offset = 0) {
 Format recognise(Bytes bytes) {
   if (has(bytes, "#?")) return Format::hdr;
   if (has(bytes, "\x76\x2f\x31\x01")) return Format::exr;
-  if (has(bytes, "PF\n") || has(bytes, "Pf\n") || has(bytes, "PF\r") || has(bytes, "Pf\r"))
+  if ((has(bytes, "PF") || has(bytes, "Pf")) && bytes.size() > 2
+      && std::string_view(" \t\r\n").find(static_cast<char>(bytes[2])) != std::string_view::npos)
     return Format::pfm;
   if (has(bytes, "\x89PNG\r\n\x1a\n")) return Format::png;
   if (has(bytes, "\xff\xd8\xff")) return Format::jpeg;

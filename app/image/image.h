@@ -52,7 +52,7 @@ struct Image8 {
 // included: see find_non_finite. Throws Error(input) naming the file, the place and what is wrong.
 Image read(const std::filesystem::path& path);
 
-// Writes linear values by extension: .exr (float), .hdr (RGBE: steps of 1/256 to 1/128 of a pixel's
+// Writes linear values by extension: .exr (float), .hdr (RGBE: steps of 1/255 to 1/128 of a pixel's
 // largest channel, rounded to the nearest; negative values become 0, a fourth channel is dropped),
 // .pfm (a fourth channel is dropped); and .png: the values, clamped to 0..1, are taken as
 // display-encoded already and quantised to 8 bits with rounding. 1, 3 or 4 channels. Written to a
