@@ -1,12 +1,12 @@
 // ggx.glsl: the GGX (Trowbridge-Reitz) distribution of microfacet normals and Smith's shadowing for it.
-// Frame    D, Lambda, G1, G2, V, pdfs: any, by Tilt (half_vector.glsl). Samplers: local, n = +z.
+// Frame    D, Lambda, G1, G2, V, pdfs: any, by Tilt (half_vector.glsl). Samplers: local, n = +z on wo's side.
 // alpha    slope width, [0, 1] and beyond; at 0 the lobe is a delta and D, its finite part, is 0 (samplers return +z).
 // Returns  ggxD: 1/sr, >= 0. ggxLambda: >= 0. ggxG1, ggxG2...: [0, 1]. ggxV...: G2 / (4 |wi.n| |wo.n|), finite.
-//          ggxPdf..: 1/sr. Samplers: unit wm on the upper side, for u in [0, 1)².
+//          ggxPdf...: 1/sr. Samplers: unit wm on the upper side, for u in [0, 1)².
 // Source   [Walter07] eq. 33-36; [Heitz14] eq. 99 (correlated); [Dupuy23] alg. 1 (visible normals).
 //          Transmission's Beta form of G2 is in smith_beta.glsl.
-// Limits   D does not vanish at the horizon (alpha² / pi), so lobes end in a step there. wm below the horizon is the
-//          caller's to reject (Facet.exists). float32: alpha >= 1e-4 keeps D to 1e-6 off a precise half-vector.
+// Limits   D does not vanish at the horizon (alpha² / pi), so lobes end in a step there. float32 holds alpha >= 1e-4:
+//          D is as exact as the Tilt that it is given, to 1e-6.
 #ifndef GG_BSDF_GGX_GLSL
 #define GG_BSDF_GGX_GLSL
 
@@ -74,10 +74,11 @@ vec3 ggxSample(float alpha, vec2 u) {
   return normalize(vec3(across * cos(phi), across * sin(phi), sqrt(max(1.0 - u.x, 0.0))));
 }
 
-// A normal with the density that wo sees it at. Stretched by alpha (one width per axis), the surface is a hemisphere
-// of mirrors: the ones that wo sees reflect it uniformly into a spherical cap.
+// A normal with the density that wo sees it at. Stretched by alpha (one width per axis), the surface is a hemisphere of
+// mirrors: the ones that wo sees reflect it uniformly into a spherical cap. wo below the horizon is answered too, with
+// the upper sides that it sees: walks between facets need them.
 vec3 ggxSampleVisible(vec3 wo, vec2 alpha, vec2 u) {
-  vec3 seen = normalize(vec3(alpha.x * wo.x, alpha.y * wo.y, abs(wo.z)));
+  vec3 seen = normalize(vec3(alpha.x * wo.x, alpha.y * wo.y, wo.z));
   float phi = 2.0 * BSDF_PI * u.x;
   float z = (1.0 - u.y) * (1.0 + seen.z) - seen.z;
   float r = sqrt(clamp((1.0 - z) * (1.0 + z), 0.0, 1.0));

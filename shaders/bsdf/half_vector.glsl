@@ -1,7 +1,8 @@
 // half_vector.glsl: the microfacet that joins two directions, by reflection or by refraction.
 // Frame    any: n is the unit normal, vec3(0, 0, 1) in the local frame; wo, wi unit and away from the surface.
 // alpha    none. eta = n_far / n_known, far = wi's side, known = wo's side; 0 stands for a metal.
-// Returns  tilt, tiltAbout: sin² and cos of a vector against n, on the vector's own scale.
+// Returns  tilt, tiltAbout: sin² and cos of a vector against n, on the vector's own scale; tiltCos: in [0, 1].
+//          reflectionHalf, transmissionHalf: the half-vector, not normalised, sign as it falls.
 //          reflectionFacet, transmissionFacet: everything that D, G, F, f and the pdfs read, as one struct.
 //          reflectionJacobian, transmissionJacobian: dω_m / dω_i for a known wo, >= 0, dimensionless.
 // Source   [Walter07] eq. 13, 14 (reflection), 16, 17 (refraction).
@@ -35,7 +36,7 @@ Tilt tiltAbout(vec3 v, vec3 n) {
   return t;
 }
 
-// Cosine of the angle between the vector and the normal, in [0, 1]; 0 for the zero vector.
+// Cosine of the angle between the vector and the normal; 0 for the zero vector.
 float tiltCos(Tilt t) {
   float s = t.p + t.z * t.z;
   return s > 0.0 ? t.z / sqrt(s) : 0.0;
@@ -52,11 +53,16 @@ struct Facet {
   bool exists;  // false: no facet joins wi and wo this way, and every f and pdf is 0
 };
 
-// The facet that mirrors wo into wi: h = wi + wo. |h| = 2 cos of the angle of incidence, so the cosine comes from a sum
+// Half-vectors, not normalised. Refraction's is wo + eta wi, written so that both steps are exact where they cancel (wi
+// near -wo, eta near 1); rounding the product first is 100 times worse.
+vec3 reflectionHalf(vec3 wi, vec3 wo) { return wi + wo; }
+vec3 transmissionHalf(vec3 wi, vec3 wo, float eta) { return (wi + wo) + (eta - 1.0) * wi; }
+
+// The facet that mirrors wo into wi. |h| = 2 cos of the angle of incidence, so the cosine comes from a sum
 // of squares; dot(wi, h) would subtract nearly equal products at a grazing forward mirror (11 % off in float32). And
 // g² = (eta² - 1) + cos² keeps its digits as eta -> 1, where eta² - sin² does not.
 Facet reflectionFacet(vec3 wi, vec3 wo, vec3 n, float eta) {
-  vec3 h = wi + wo;
+  vec3 h = reflectionHalf(wi, wo);
   float cosI = dot(wi, n);
   float cosO = dot(wo, n);
   Facet f;
@@ -71,11 +77,10 @@ Facet reflectionFacet(vec3 wi, vec3 wo, vec3 n, float eta) {
   return f;
 }
 
-// The facet that refracts wo into wi: h = wo + eta wi, turned to wo's side. Written (wi + wo) + (eta - 1) wi both steps
-// are exact where they cancel (wi near -wo, eta near 1); wo + eta wi rounds the product first and is 100 times worse.
-// |h|² equals Walter's denominator (wo . wm + eta wi . wm)² without its cancellation.
+// The facet that refracts wo into wi, its half-vector turned to wo's side. |h|² equals Walter's denominator
+// (wo . wm + eta wi . wm)² without its cancellation.
 Facet transmissionFacet(vec3 wi, vec3 wo, vec3 n, float eta) {
-  vec3 h = (wi + wo) + (eta - 1.0) * wi;
+  vec3 h = transmissionHalf(wi, wo, eta);
   float cosI = dot(wi, n);
   float cosO = dot(wo, n);
   float side = dot(h, n) * cosO < 0.0 ? -1.0 : 1.0;
