@@ -1,6 +1,5 @@
 #version 450
 // Answers a batch of queries: `groundglass eval` on the device.
-#include "bsdf/compensated.glsl"
 #include "bsdf/values.glsl"
 #include "interface/queries.glsl"
 

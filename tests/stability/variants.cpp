@@ -1,0 +1,164 @@
+// The three ways of writing the model, on the device: their values for a file of queries, and what
+// each costs.
+//   stability_variants values textbook|stable|compensated QUERIES.csv VALUES.csv
+//   stability_variants cost QUERIES.csv
+// The queries whose time is taken are the rows of the file, in each lobe and distribution those
+// that belong to it.
+#include "bsdf/packed.h"
+#include "bsdf/query_file.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "gpu/device.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace gg;
+
+constexpr std::size_t group_size = 64; // local_size_x of variants.comp
+constexpr std::size_t timed_rows = std::size_t{1} << 16;
+constexpr std::int32_t timed_repeats = 16; // evaluations per row: the memory's share becomes small
+constexpr int timed_runs = 7;              // of which the fastest counts: the others were disturbed
+
+const std::vector<std::string> ways = {"textbook", "stable", "compensated"};
+
+class Runner {
+public:
+  Runner(gpu::Device& device, std::span<const bsdf::Query> queries) : device_(device) {
+    std::vector<bsdf::PackedQuery> packed(queries.size());
+    std::transform(queries.begin(), queries.end(), packed.begin(), bsdf::pack);
+    rows_ = packed.size();
+    queries_ = device.create(gpu::BufferDesc{.label = "queries",
+                                             .bytes = rows_ * sizeof(bsdf::PackedQuery),
+                                             .use = gpu::Use::storage},
+                             std::as_bytes(std::span(packed)));
+    answers_ = device.create(gpu::BufferDesc{.label = "answers",
+                                             .bytes = rows_ * sizeof(bsdf::PackedValues),
+                                             .use = gpu::Use::storage | gpu::Use::read_back});
+  }
+
+  // Milliseconds on the device.
+  double run(const std::vector<gpu::Constant>& constants) {
+    const auto pipeline = device_.create(
+        gpu::ComputeDesc{.label = "variants",
+                         .compute = GROUNDGLASS_SOURCE_DIR "/tests/stability/variants.comp",
+                         .constants = constants});
+    gpu::Pass pass;
+    pass.label = "variants";
+    pass.reads_buffers = {queries_};
+    pass.writes_buffers = {answers_};
+    pass.record = [&](gpu::Encoder& encoder) {
+      encoder.use(pipeline);
+      encoder.buffer("Queries", queries_);
+      encoder.buffer("Answers", answers_);
+      encoder.dispatch(static_cast<std::uint32_t>((rows_ + group_size - 1) / group_size), 1, 1);
+    };
+    std::vector<gpu::PassTime> times;
+    device_.run(std::span(&pass, 1), &times);
+    return times.at(0).ms;
+  }
+
+  std::vector<bsdf::Values<float>> answers() {
+    const auto bytes = device_.read(answers_, 0, rows_ * sizeof(bsdf::PackedValues));
+    std::vector<bsdf::PackedValues> packed(rows_);
+    std::memcpy(packed.data(), bytes.data(), bytes.size());
+    std::vector<bsdf::Values<float>> values(rows_);
+    std::transform(packed.begin(), packed.end(), values.begin(), bsdf::unpack);
+    return values;
+  }
+
+private:
+  gpu::Device& device_;
+  gpu::BufferRef queries_, answers_;
+  std::size_t rows_ = 0;
+};
+
+struct Rows {
+  std::vector<std::string> ids;
+  std::vector<bsdf::Query> queries;
+};
+
+Rows read_rows(const std::string& path) {
+  Rows rows;
+  bsdf::QueryReader reader(path);
+  reader.next(~std::size_t{0}, rows.ids, rows.queries);
+  reader.expect_no_bad_rows();
+  return rows;
+}
+
+void write_values(gpu::Device& device, const std::string& way, const Rows& rows,
+                  const std::string& path) {
+  const auto found = std::find(ways.begin(), ways.end(), way);
+  if (found == ways.end()) throw Error(ExitCode::usage, way, "is none of the ways");
+  Runner runner(device, rows.queries);
+  runner.run({gpu::constant(0, static_cast<std::int32_t>(found - ways.begin()))});
+  std::string text = bsdf::value_header();
+  bsdf::append_rows<float>(text, rows.ids, runner.answers());
+  OutputFile out(path);
+  out.write(text);
+  out.commit();
+}
+
+void print_cost(gpu::Device& device, const Rows& rows) {
+  fmt::print("ns per evaluation of f on {}, the loop around it taken off\n\n", device.info().name);
+  fmt::print("| lobe | distribution | textbook | stable | compensated | stable / textbook | "
+             "compensated / textbook |\n");
+  fmt::print("|---|---|---|---|---|---|---|\n");
+  const char* distributions[] = {"GGX", "Beckmann", "Phong"};
+  for (const auto lobe : {bsdf::Lobe::reflection, bsdf::Lobe::transmission})
+    for (const auto distribution :
+         {bsdf::Distribution::ggx, bsdf::Distribution::beckmann, bsdf::Distribution::phong}) {
+      std::vector<bsdf::Query> all, queries;
+      for (const auto& q : rows.queries)
+        if (q.lobe == lobe && q.distribution == distribution && q.eta > 0.0f) all.push_back(q);
+      while (queries.size() < timed_rows && !all.empty())
+        queries.push_back(all[queries.size() % all.size()]);
+      Runner runner(device, queries);
+      std::vector<double> best(ways.size() + 1, 1e30);
+      // In turn, so that a slow moment of the machine meets all of them.
+      for (int turn = 0; turn < timed_runs; ++turn)
+        for (std::size_t way = 0; way < best.size(); ++way)
+          best[way] = std::min(
+              best[way], runner.run({gpu::constant(0, static_cast<std::int32_t>(way)),
+                                     gpu::constant(1, timed_repeats),
+                                     gpu::constant(2, lobe == bsdf::Lobe::transmission),
+                                     gpu::constant(3, static_cast<std::int32_t>(distribution))}));
+      const auto ns = [&](std::size_t way) {
+        return (best[way] - best.back()) * 1e6 / static_cast<double>(timed_rows * timed_repeats);
+      };
+      fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.2f} | {:.2f} |\n",
+                 lobe == bsdf::Lobe::reflection ? "reflection" : "transmission",
+                 distributions[static_cast<int>(distribution)], ns(0), ns(1), ns(2), ns(1) / ns(0),
+                 ns(2) / ns(0));
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) try {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  const bool values = words.size() == 4 && words[0] == "values";
+  const bool cost = words.size() == 2 && words[0] == "cost";
+  if (!values && !cost) {
+    std::fputs("stability_variants values textbook|stable|compensated QUERIES.csv VALUES.csv\n"
+               "stability_variants cost QUERIES.csv\n",
+               stderr);
+    return static_cast<int>(ExitCode::usage);
+  }
+  const auto device = gpu::create_device({});
+  if (values)
+    write_values(*device, words[1], read_rows(words[2]), words[3]);
+  else
+    print_cost(*device, read_rows(words[1]));
+  return 0;
+} catch (const gg::Error& error) {
+  std::fprintf(stderr, "stability_variants: %s\n", error.what());
+  return static_cast<int>(error.code());
+}
