@@ -62,7 +62,8 @@ struct DeviceInfo {
   bool software = false;
 };
 
-// What a device has done since it was made. A frame in steady state changes none of the first three.
+// What a device has done since it was made. A frame in steady state changes none of the first
+// three.
 struct DeviceCounters {
   std::uint64_t created = 0;     // objects of the API: buffers, textures, views, samplers, programs
   std::uint64_t allocations = 0; // of device memory, where the API lets us ask for it

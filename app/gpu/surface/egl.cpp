@@ -6,6 +6,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <mutex>
@@ -64,8 +65,13 @@ const Functions& egl() {
 
 // Whether a list of words separated by spaces has this one.
 bool lists(const char* words, std::string_view word) {
-  const std::string all = std::string(" ") + (words ? words : "") + " ";
-  return all.find(" " + std::string(word) + " ") != std::string::npos;
+  std::string_view rest = words ? words : "";
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    if (rest.substr(0, end) == word) return true;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return false;
 }
 
 bool client_has(std::string_view extension) {

@@ -1,0 +1,14 @@
+// What each backend offers to create.cpp. A `device` here is an index in that backend's own list.
+#pragma once
+
+#include "gpu/device.h"
+
+namespace gg::gpu::opengl {
+std::vector<DeviceInfo> list_devices();
+std::unique_ptr<Device> create_device(const DeviceDesc& desc);
+} // namespace gg::gpu::opengl
+
+namespace gg::gpu::vulkan {
+std::vector<DeviceInfo> list_devices();
+std::unique_ptr<Device> create_device(const DeviceDesc& desc);
+} // namespace gg::gpu::vulkan
