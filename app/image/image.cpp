@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "glsl/f64.h"
 #include "image/formats.h"
 
 #include <algorithm>
@@ -175,13 +176,11 @@ void require_finite(const Image& image, const std::string& where) {
 }
 
 double srgb_from_linear(double linear) {
-  const double v = std::clamp(linear, 0.0, 1.0);
-  return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
+  return glsl::f64::srgbFromLinear(linear);
 }
 
 double linear_from_srgb(double encoded) {
-  const double v = std::clamp(encoded, 0.0, 1.0);
-  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+  return glsl::f64::linearFromSrgb(encoded);
 }
 
 } // namespace gg::image
