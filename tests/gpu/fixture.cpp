@@ -1,0 +1,77 @@
+#include "gpu/fixture.h"
+
+#include <map>
+#include <utility>
+
+namespace gg::gpu {
+
+std::string name_of(const testing::TestParamInfo<Target>& info) {
+  if (info.param.backend == Backend::vulkan) return "vulkan";
+  return info.param.surface == Surface::egl ? "opengl_egl" : "opengl_osmesa";
+}
+
+std::vector<Target> targets() {
+  std::vector<Target> result = {{Backend::opengl, Surface::egl},
+                                {Backend::opengl, Surface::osmesa}};
+  for (const DeviceInfo& info : list_devices())
+    if (info.backend == "vulkan") {
+      result.push_back({Backend::vulkan, Surface::automatic});
+      break;
+    }
+  return result;
+}
+
+std::string stage(const std::string& file) {
+  return std::string(GROUNDGLASS_SOURCE_DIR) + "/tests/gpu/stages/" + file;
+}
+
+Device& OnDevice::device() {
+  static std::map<std::pair<Backend, Surface>, std::unique_ptr<Device>> devices;
+  const Target& target = GetParam();
+  std::unique_ptr<Device>& device = devices[{target.backend, target.surface}];
+  if (!device)
+    device = create_device({.backend = target.backend, .surface = target.surface, .debug = true});
+  return *device;
+}
+
+TextureRef OnDevice::target(const std::string& label, Format format, int width, int height) {
+  return device().create(TextureDesc{.label = label,
+                                     .format = format,
+                                     .width = width,
+                                     .height = height,
+                                     .use = Use::attachment | Use::sampled | Use::read_back});
+}
+
+void OnDevice::fill(const TextureRef& to, const std::string& fragment,
+                    const std::function<void(Encoder&)>& bind, const std::vector<View>& reads,
+                    const std::vector<Constant>& constants) {
+  const PipelineRef pipeline = device().create(PipelineDesc{.label = fragment,
+                                                            .vertex = stage("fullscreen.vert"),
+                                                            .fragment = stage(fragment),
+                                                            .constants = constants,
+                                                            .colors = {to->desc.format}});
+  run({.label = "fill",
+       .colors = {{.view = {to}, .clear = {}}},
+       .reads = reads,
+       .record = [&](Encoder& encoder) {
+         encoder.use(pipeline);
+         if (bind) bind(encoder);
+         encoder.draw(3);
+       }});
+}
+
+PipelineDesc flat_pipeline(Format color) {
+  return {.label = "flat",
+          .vertex = stage("flat.vert"),
+          .fragment = stage("flat.frag"),
+          .bindings = {{.stride = sizeof(FlatVertex)}},
+          .attributes = {{.location = 0, .components = 3, .binding = 0, .offset = 0},
+                         {.location = 1,
+                          .components = 4,
+                          .binding = 0,
+                          .offset = offsetof(FlatVertex, color)}},
+          .colors = {color},
+          .cull = Cull::none};
+}
+
+} // namespace gg::gpu
