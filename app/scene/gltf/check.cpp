@@ -1,0 +1,140 @@
+#include "scene/gltf/check.h"
+
+#include "scene/gltf/fail.h"
+#include "scene/gltf/rule.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace gg::scene::gltf {
+namespace {
+
+using nlohmann::json;
+
+class Checker {
+public:
+  Checker(const json& root, const std::string& file) : root_(root), file_(file) {}
+
+  void object(const json& value, std::span<const Rule> rules, const std::string& place) const {
+    if (!value.is_object()) wrong_type(value, "an object", place);
+    for (const Rule& rule : rules) {
+      const auto member = value.find(rule.key);
+      const std::string at = place.empty() ? rule.key : place + "." + rule.key;
+      if (member == value.end() && rule.required) fail(file_, at, "is missing");
+      if (member != value.end()) one(*member, rule, at);
+    }
+  }
+
+private:
+  void one(const json& value, const Rule& rule, const std::string& place) const {
+    switch (rule.kind) {
+    case Kind::boolean:
+      if (!value.is_boolean()) wrong_type(value, "true or false", place);
+      break;
+    case Kind::string:
+      if (!value.is_string()) wrong_type(value, "a string", place);
+      break;
+    case Kind::choice:
+      choice(value, rule, place);
+      break;
+    case Kind::integer:
+      integer(value, rule, place);
+      break;
+    case Kind::number:
+      number(value, rule, place);
+      break;
+    case Kind::index:
+      index(value, rule, place);
+      break;
+    case Kind::object:
+      object(value, rule.members, place);
+      break;
+    case Kind::map:
+      if (!value.is_object()) wrong_type(value, "an object", place);
+      for (const auto& [key, entry] : value.items())
+        rule.target ? index(entry, rule, place + "." + key)
+                    : integer(entry, rule, place + "." + key);
+      break;
+    case Kind::maps:
+    case Kind::numbers:
+    case Kind::strings:
+    case Kind::indices:
+    case Kind::objects:
+      array(value, rule, place);
+      break;
+    }
+  }
+
+  void array(const json& value, const Rule& rule, const std::string& place) const {
+    if (!value.is_array()) wrong_type(value, "an array", place);
+    if (rule.size != 0 && value.size() != rule.size)
+      fail(file_, place,
+           fmt::format("has {} entries where {} are needed", value.size(), rule.size));
+    Rule entry = rule;
+    entry.kind = rule.kind == Kind::numbers   ? Kind::number
+                 : rule.kind == Kind::strings ? Kind::string
+                 : rule.kind == Kind::indices ? Kind::index
+                 : rule.kind == Kind::maps    ? Kind::map
+                                              : Kind::object;
+    for (std::size_t i = 0; i < value.size(); ++i)
+      one(value[i], entry, fmt::format("{}[{}]", place, i));
+  }
+
+  void choice(const json& value, const Rule& rule, const std::string& place) const {
+    if (!value.is_string()) wrong_type(value, "a string", place);
+    std::istringstream words(rule.target);
+    for (std::string word; words >> word;)
+      if (value == word) return;
+    fail(file_, place,
+         fmt::format("is '{}', not one of {}", value.get_ref<const std::string&>().substr(0, 40),
+                     rule.target));
+  }
+
+  void integer(const json& value, const Rule& rule, const std::string& place) const {
+    if (!value.is_number_integer()) wrong_type(value, "a whole number", place);
+    range(value.is_number_unsigned() ? static_cast<double>(value.get<std::uint64_t>())
+                                     : static_cast<double>(value.get<std::int64_t>()),
+          rule, place);
+  }
+
+  void number(const json& value, const Rule& rule, const std::string& place) const {
+    if (!value.is_number()) wrong_type(value, "a number", place);
+    range(value.get<double>(), rule, place);
+  }
+
+  void range(double value, const Rule& rule, const std::string& place) const {
+    if (!(value >= rule.low && value <= rule.high))
+      fail(file_, place,
+           rule.high >= largest_integer
+               ? fmt::format("is {}; the smallest allowed is {}", value, rule.low)
+               : fmt::format("is {}, outside {} .. {}", value, rule.low, rule.high));
+  }
+
+  void index(const json& value, const Rule& rule, const std::string& place) const {
+    const json::json_pointer pointer(rule.target);
+    const std::size_t size =
+        root_.contains(pointer) && root_[pointer].is_array() ? root_[pointer].size() : 0;
+    if (!value.is_number_integer()) wrong_type(value, "an index", place);
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= size)
+      fail(file_, place,
+           fmt::format("refers to {} number {}, and there are {}", rule.target + 1, value.dump(),
+                       size));
+  }
+
+  [[noreturn]] void wrong_type(const json& value, const char* wanted,
+                               const std::string& place) const {
+    fail(file_, place, fmt::format("is {} where {} is needed", value.type_name(), wanted));
+  }
+
+  const json& root_;
+  const std::string& file_;
+};
+
+} // namespace
+
+void check(const nlohmann::json& json, const std::string& file) {
+  Checker(json, file).object(json, schema(), "");
+}
+
+} // namespace gg::scene::gltf

@@ -1,0 +1,44 @@
+// A glTF file, checked: its structure (as tinygltf's Model) and its bytes.
+#pragma once
+
+#include "scene/gltf/container.h"
+#include "scene/gltf/tiny.h"
+
+#include <map>
+#include <span>
+
+namespace gg::scene::gltf {
+
+class Document {
+public:
+  // Opens, checks and parses. Throws Error(input), or Error(unsupported) for a required extension
+  // that this program does not know. Says once which of the extensions in use are ignored.
+  explicit Document(const std::filesystem::path& path);
+
+  const tinygltf::Model& model() const { return model_; }
+  const std::string& name() const { return container_.name; }
+
+  // The bytes of a buffer view, decompressed where EXT_meshopt_compression says so. Read (and
+  // decompressed) when first asked for. Throws Error(input) if they are not there.
+  std::span<const std::byte> view(int buffer_view);
+  // The encoded bytes of an image. Valid until the Document dies.
+  std::span<const std::byte> image(int image);
+
+  // Takes `bytes` from what this file may unpack to. A file can declare far more than it holds
+  // (accessors without data, one run of bytes read by thousands of accessors); what a file of this
+  // size can sensibly become is bounded, and a message is better than an exhausted machine. Throws
+  // Error(input) naming `place`.
+  void spend(std::size_t bytes, const std::string& place);
+
+private:
+  std::span<const std::byte> buffer(int buffer);
+  std::span<const std::byte> slice(int buffer, std::size_t offset, std::size_t length,
+                                   const std::string& place);
+
+  Container container_;
+  tinygltf::Model model_;
+  std::map<int, std::vector<std::byte>> buffers_, decompressed_, external_images_;
+  std::size_t spent_ = 0, read_ = 0;
+};
+
+} // namespace gg::scene::gltf

@@ -1,0 +1,150 @@
+#include "scene/load.h"
+
+#include "scene/compact.h"
+#include "scene/gltf/accessors.h"
+#include "scene/gltf/document.h"
+#include "scene/gltf/fail.h"
+#include "scene/gltf/geometry.h"
+#include "scene/gltf/images.h"
+#include "scene/gltf/lights.h"
+#include "scene/gltf/materials.h"
+#include "scene/gltf/nodes.h"
+
+#include <fmt/format.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <map>
+
+namespace gg::scene {
+namespace {
+
+using namespace gltf;
+
+// Puts meshes into the world, building each the first time that it is met.
+class Placer {
+public:
+  Placer(Document& document, const Hierarchy& hierarchy, Scene& scene)
+      : document_(document), hierarchy_(hierarchy), scene_(scene), geometry_(document, scene) {}
+
+  void place(const Placed& placed) {
+    const auto& node = document_.model().nodes[static_cast<std::size_t>(placed.node)];
+    if (node.mesh < 0) return;
+    const Pose pose = pose_of(node);
+    const Index mesh = mesh_of(node, pose);
+    if (scene_.meshes[static_cast<std::size_t>(mesh)].primitives.empty()) return;
+    Instance instance;
+    instance.mesh = mesh;
+    instance.name = node.name;
+    // The vertices of a skin are in the world already; its joints decide which side is outside.
+    if (pose.joints.empty()) instance.world = placed.world;
+    const glm::mat3 m(pose.joints.empty() ? placed.world : pose.joints.front());
+    instance.mirrored = glm::determinant(glm::dmat3(m)) < 0.0;
+    scene_.instances.push_back(std::move(instance));
+  }
+
+private:
+  Pose pose_of(const tinygltf::Node& node) {
+    const auto& mesh = document_.model().meshes[static_cast<std::size_t>(node.mesh)];
+    Pose pose;
+    pose.weights = node.weights.empty() ? mesh.weights : node.weights;
+    if (node.skin >= 0) pose.joints = joints_of(node.skin);
+    return pose;
+  }
+
+  // Joint in the world times inverse bind matrix, per joint.
+  std::vector<glm::mat4> joints_of(int index) {
+    const auto& skin = document_.model().skins[static_cast<std::size_t>(index)];
+    const std::string place = element("skins", index);
+    if (skin.joints.empty()) fail(document_.name(), place + ".joints", "is empty");
+    std::vector<float> inverse_binds;
+    if (skin.inverseBindMatrices >= 0) {
+      const auto& accessor =
+          document_.model().accessors[static_cast<std::size_t>(skin.inverseBindMatrices)];
+      if (component_count(accessor) != 16 || accessor.count < skin.joints.size())
+        fail(document_.name(), place + ".inverseBindMatrices",
+             fmt::format("is not {} 4x4 matrices, one per joint", skin.joints.size()));
+      inverse_binds = read_floats(document_, skin.inverseBindMatrices);
+    }
+    std::vector<glm::mat4> joints;
+    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+      const glm::mat4& world = hierarchy_.world_of(skin.joints[i]);
+      joints.push_back(
+          inverse_binds.empty() ? world : world * glm::make_mat4(inverse_binds.data() + 16 * i));
+    }
+    return joints;
+  }
+
+  Index mesh_of(const tinygltf::Node& node, const Pose& pose) {
+    const std::pair key{node.mesh, pose.weights};
+    if (const auto known = meshes_.find(key); known != meshes_.end() && pose.joints.empty())
+      return known->second;
+    const auto& source = document_.model().meshes[static_cast<std::size_t>(node.mesh)];
+    Mesh mesh;
+    mesh.name = source.name;
+    for (std::size_t i = 0; i < source.primitives.size(); ++i) {
+      const std::string place = fmt::format("meshes[{}].primitives[{}]", node.mesh, i);
+      const Index material = material_of(source.primitives[i]);
+      const auto frame = tangent_frame(scene_.materials[static_cast<std::size_t>(material)]);
+      auto primitive = geometry_.build(source.primitives[i], place, frame, pose);
+      if (!primitive) continue;
+      primitive->material = material;
+      mesh.primitives.push_back(std::move(*primitive));
+    }
+    scene_.meshes.push_back(std::move(mesh));
+    const auto index = static_cast<Index>(scene_.meshes.size()) - 1;
+    if (pose.joints.empty()) meshes_[key] = index;
+    return index;
+  }
+
+  Index material_of(const tinygltf::Primitive& primitive) {
+    if (primitive.material >= 0) return primitive.material;
+    if (default_material_ == none) {
+      scene_.materials.push_back(default_material());
+      default_material_ = static_cast<Index>(scene_.materials.size()) - 1;
+    }
+    return default_material_;
+  }
+
+  Document& document_;
+  const Hierarchy& hierarchy_;
+  Scene& scene_;
+  Geometry geometry_;
+  std::map<std::pair<int, std::vector<double>>, Index> meshes_;
+  Index default_material_ = none;
+};
+
+std::vector<bool> materials_used(const Scene& scene) {
+  std::vector<bool> used(scene.materials.size(), false);
+  for (const Mesh& mesh : scene.meshes)
+    for (const Primitive& primitive : mesh.primitives)
+      used[static_cast<std::size_t>(primitive.material)] = true;
+  return used;
+}
+
+} // namespace
+
+Scene load(const std::filesystem::path& path) {
+  Document document(path);
+  const Hierarchy hierarchy(document);
+  Scene scene;
+  scene.path = path.string();
+  read_textures(document, scene);
+  for (int i = 0; i < static_cast<int>(document.model().materials.size()); ++i)
+    scene.materials.push_back(read_material(document, i));
+  {
+    Placer placer(document, hierarchy, scene);
+    for (const Placed& placed : hierarchy.placed())
+      placer.place(placed);
+  }
+  compact(scene);
+  scene.bounds = world_bounds(scene);
+  if (!scene.bounds.empty() && !(scene.bounds.radius() <= largest_radius))
+    fail(document.name(), "", fmt::format("the scene spans {} m", 2.0f * scene.bounds.radius()),
+         "Check the scale of its nodes.");
+  read_cameras(document, hierarchy, scene);
+  read_lights(document, hierarchy, scene);
+  decode_images(document, materials_used(scene), scene);
+  return scene;
+}
+
+} // namespace gg::scene
