@@ -12,24 +12,38 @@
 #include "bsdf/half_vector.glsl"
 #include "bsdf/twin.glsl"
 
-// Everything of v against n, z with its sign.
+// A direction against n: p = |v x n|², z = v . n with its sign.
 struct SignedTilt {
   float p;
-  float z;
+  Twin z;
 };
 
 SignedTilt preciseTilt(Twin3 v, Twin3 n) {
-  vec3 across = twinCross(v, n);
+  vec3 across = twinCross(v, n).hi;
   SignedTilt t;
   t.p = dot(across, across);
-  t.z = twinDot(v, n).hi;
+  t.z = twinDot(v, n);
   return t;
 }
 
 Tilt unsignedTilt(SignedTilt signedTilt) {
   Tilt t;
   t.p = signedTilt.p;
-  t.z = abs(signedTilt.z);
+  t.z = abs(signedTilt.z.hi);
+  return t;
+}
+
+// The half-vector against n, on the scale of z = 1, so that its tan² is p, rounded once: the exponentials of Beckmann and
+// Phong multiply each rounding by up to 70 in their tails. z is 0 for a facet on the horizon.
+Tilt preciseSlope(Twin3 h, Twin3 n, Twin z) {
+  Twin3 across = twinCross(h, n);
+  Tilt t;
+  t.p = 0.0;
+  t.z = 0.0;
+  if (z.hi != 0.0) {
+    t.p = twinOverSquare(twinDot(across, across), z);
+    t.z = 1.0;
+  }
   return t;
 }
 
@@ -61,7 +75,7 @@ Facet preciseReflectionFacet(vec3 wi, vec3 wo, vec3 n, float eta) {
   Facet f;
   f.wi = unsignedTilt(tiltI);
   f.wo = unsignedTilt(tiltO);
-  f.h = unsignedTilt(preciseTilt(h, up));
+  f.h = preciseSlope(h, up, twinDot(h, up));
   f.s = s.hi;
   f.woDotM = min(0.5 * sqrt(s.hi), 1.0);
   f.wiDotM = f.woDotM;
@@ -70,7 +84,7 @@ Facet preciseReflectionFacet(vec3 wi, vec3 wo, vec3 n, float eta) {
   terms.hi = vec3(terms.hi.x, -1.0, 0.25 * s.hi);
   terms.lo = vec3(terms.lo.x, 0.0, 0.25 * s.lo);
   f.g = sqrt(max(twinTotal(terms).hi, 0.0));
-  f.exists = ((tiltI.z > 0.0 && tiltO.z > 0.0) || (tiltI.z < 0.0 && tiltO.z < 0.0)) && f.h.z > 0.0;
+  f.exists = ((tiltI.z.hi > 0.0 && tiltO.z.hi > 0.0) || (tiltI.z.hi < 0.0 && tiltO.z.hi < 0.0)) && f.h.z > 0.0;
   return f;
 }
 
@@ -85,15 +99,15 @@ Facet preciseTransmissionFacet(vec3 wi, vec3 wo, vec3 n, float eta) {
   Twin3 h = twinAdd(o, twinMultiply(i, factor));
   SignedTilt tiltI = preciseTilt(i, up);
   SignedTilt tiltO = preciseTilt(o, up);
-  SignedTilt tiltH = preciseTilt(h, up);
-  float side = (tiltH.z < 0.0) == (tiltO.z < 0.0) ? 1.0 : -1.0;
+  Twin hDotN = twinDot(h, up);
+  float side = (hDotN.hi < 0.0) == (tiltO.z.hi < 0.0) ? 1.0 : -1.0;
   float hDotI = side * twinDot(h, i).hi;
   float hDotO = side * twinDot(h, o).hi;
-  bool opposite = (tiltI.z > 0.0 && tiltO.z < 0.0) || (tiltI.z < 0.0 && tiltO.z > 0.0);
+  bool opposite = (tiltI.z.hi > 0.0 && tiltO.z.hi < 0.0) || (tiltI.z.hi < 0.0 && tiltO.z.hi > 0.0);
   Facet f;
   f.wi = unsignedTilt(tiltI);
   f.wo = unsignedTilt(tiltO);
-  f.h = unsignedTilt(tiltH);
+  f.h = preciseSlope(h, up, hDotN);
   f.s = twinDot(h, h).hi;
   f.exists = opposite && f.h.z > 0.0 && hDotI < 0.0 && hDotO > 0.0;
   float scale = f.exists ? inversesqrt(f.s) : 0.0;

@@ -116,12 +116,21 @@ Twin3 twinTurn(Twin3 a) {
   return t;
 }
 
-// a x b, rounded: the products cancel at twice the precision.
-vec3 twinCross(Twin3 a, Twin3 b) {
+// a x b: the products cancel at twice the precision.
+Twin3 twinCross(Twin3 a, Twin3 b) {
   Twin3 product = twinMultiply(a, twinTurn(b));
   Twin3 other = twinMultiply(twinTurn(a), b);
-  Twin3 turned = twinAdd(product, twinNegate(other));
-  return vec3(turned.hi.y, turned.hi.z, turned.hi.x);
+  return twinTurn(twinAdd(product, twinNegate(other)));
+}
+
+// p / z², rounded once: the plain quotient and what the exact product says that it lacks. z is not 0.
+float twinOverSquare(Twin p, Twin z) {
+  float rough = p.hi / (z.hi * z.hi);
+  Twin3 square = twinProduct(vec3(z.hi), vec3(z.hi));
+  Twin3 back = twinProduct(vec3(rough), square.hi);
+  PRECISE float low = p.lo - back.lo.x - rough * (square.lo.x + 2.0 * z.hi * z.lo);
+  PRECISE float lacks = (p.hi - back.hi.x) + low;
+  return rough + lacks / square.hi.x;
 }
 
 // v / |v|. v r with r about 1 / |v| is exact as a twin; what |v r|² lacks to 1 then says, to second order, how far to
