@@ -25,6 +25,28 @@ namespace {
 
 // Enough for the truth's planes many times over; each costs a plane of floats.
 constexpr int max_channels = 64;
+constexpr long long max_values = 4 * max_pixels; // 2 GB
+
+// How much smaller than its pixels a file can be at most. Deflate reaches 1032 (258 bytes for two
+// bits), and the 24-bit floats of PXR24 4/3 of that; the other exact methods stay below. DWA keeps
+// one deflated half for each 8 x 8 floats: 64 * 4 / 2 * 1032.
+std::uint64_t densest(Imf::Compression compression) {
+  const bool dwa = compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
+  return dwa ? 128 * 1032 : 4 * 1032 / 3;
+}
+
+// Before memory is taken for the pixels.
+void check_ratio(const Imf::Header& header, std::uint64_t pixels, std::size_t file_bytes,
+                 const std::string& name) {
+  std::uint64_t pixel_bytes = 0;
+  for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
+    pixel_bytes += it.channel().type == Imf::HALF ? 2 : 4;
+  if (pixels * pixel_bytes / densest(header.compression()) <= file_bytes) return;
+  throw Error(ExitCode::input, name,
+              "declares " + std::to_string(pixels) + " pixels, which its "
+                  + std::to_string(file_bytes) + " bytes cannot hold",
+              "Download or write the file again.");
+}
 
 template <class Number>
 std::string text_of(Number value) {
@@ -77,6 +99,7 @@ Exr read_file(Bytes bytes, const std::string& name) {
   exr.attributes = attributes_of(header);
   const std::size_t pixels =
       static_cast<std::size_t>(exr.width) * static_cast<std::size_t>(exr.height);
+  check_ratio(header, pixels, bytes.size(), name);
   Imf::FrameBuffer frame;
   bool all_half = true;
   int count = 0;
@@ -86,7 +109,7 @@ Exr read_file(Bytes bytes, const std::string& name) {
       throw Error(ExitCode::input, name + ", channel " + it.name(),
                   "holds one value for several pixels (luminance and chroma)",
                   "Save it with R, G and B channels.");
-    if (++count > max_channels || static_cast<long long>(pixels) * count > 8 * max_pixels)
+    if (++count > max_channels || static_cast<long long>(pixels) * count > max_values)
       throw Error(ExitCode::input, name, "has more channels than are accepted",
                   "Save it with the channels that are needed only.");
     if (std::string_view(it.name()) != "id") all_half &= channel.type == Imf::HALF;
