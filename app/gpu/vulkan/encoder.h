@@ -1,0 +1,91 @@
+// Turns what a pass records into Vulkan commands, and leaves out those that change nothing.
+#pragma once
+
+#include "gpu/checks.h"
+#include "gpu/names.h"
+#include "gpu/vulkan/commands.h"
+#include "gpu/vulkan/pipeline.h"
+#include "gpu/vulkan/resources.h"
+
+#include <memory>
+#include <vector>
+
+namespace gg::gpu::vulkan {
+
+class PassEncoder final : public Encoder {
+public:
+  PassEncoder(Context& context, Commands& commands, const Names& names, const Limits& limits)
+      : context_(context), vk_(context.vk()), commands_(commands), names_(names), limits_(limits) {}
+
+  // The barriers of the pass have been issued. Begins drawing into its targets.
+  void begin(VkCommandBuffer commands, const Pass& pass);
+  void end(); // lets go of everything that was bound
+
+  void use(const PipelineRef& pipeline) override;
+  void buffer(std::string_view block, const BufferRef& buffer, std::size_t offset,
+              std::size_t bytes) override;
+  void texture(std::string_view name, const View& view, const SamplerRef& sampler) override;
+  void image(std::string_view name, const View& view) override;
+  void vertices(int binding, const BufferRef& buffer, std::size_t offset) override;
+  void indices(const BufferRef& buffer) override;
+  void cull(Cull cull) override;
+  void front_is_clockwise(bool clockwise) override;
+  void draw(std::uint32_t vertex_count, std::uint32_t instance_count) override;
+  void draw_indexed(std::uint32_t index_count, std::uint32_t instance_count,
+                    std::uint32_t first_index) override;
+  void dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z) override;
+
+private:
+  // What is bound by a name. Set anew, it gets a new version.
+  struct Bound {
+    enum class What { nothing, buffer, texture, image } what = What::nothing;
+    std::uint64_t version = 0;
+    BufferRef buffer;
+    std::size_t offset = 0, bytes = 0;
+    View view;
+    SamplerRef sampler;
+  };
+  // What a descriptor holds.
+  struct Descriptor {
+    VkDescriptorBufferInfo buffer{};
+    VkDescriptorImageInfo image{};
+    bool operator==(const Descriptor& other) const;
+  };
+
+  Bound* find(std::string_view name);
+  void begin_drawing();
+  void prepare(bool draws); // everything that the next draw or dispatch needs
+  void bind_resources();
+  bool describe_all(); // true if descriptors (not only offsets) differ from those in the set
+  Descriptor describe_one(const Slot& slot, const Bound& bound);
+  void check_buffer(const Slot& slot, const Bound& bound) const;
+  void write_set();
+  void check_vertices() const;
+  [[noreturn]] void refuse(const std::string& what) const;
+
+  Context& context_;
+  const DeviceFunctions& vk_;
+  Commands& commands_;
+  const Names& names_;
+  const Limits& limits_;
+
+  const Pass* pass_ = nullptr;
+  VkCommandBuffer buffer_ = VK_NULL_HANDLE;
+  bool drawing_ = false;
+  std::shared_ptr<GpuPipeline> pipeline_;
+  std::vector<Bound> bound_; // by number of the name
+  std::uint64_t version_ = 0;
+  bool resources_changed_ = false;
+
+  VkDescriptorSet set_ = VK_NULL_HANDLE;                  // bound now,
+  const SetLayout* set_layout_ = nullptr;                 // of this layout,
+  std::vector<Descriptor> descriptors_;                   // holding these,
+  std::vector<std::uint64_t> applied_;                    // of these versions, by slot
+  std::vector<std::uint32_t> offsets_, previous_offsets_; // bound with these
+  std::vector<VkWriteDescriptorSet> writes_;              // kept for its memory
+
+  std::vector<BufferRef> vertices_;
+  BufferRef indices_;
+};
+
+} // namespace gg::gpu::vulkan

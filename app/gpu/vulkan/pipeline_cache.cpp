@@ -1,0 +1,127 @@
+#include "gpu/vulkan/pipeline_cache.h"
+
+#include "core/files.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+namespace gg::gpu::vulkan {
+
+namespace {
+
+struct Seal {
+  char magic[8];
+  std::uint64_t bytes, checksum; // of what follows
+};
+constexpr std::string_view magic = "ggpipes1";
+// More than any driver writes for our few dozen pipelines; keeps a wrong file from filling memory.
+constexpr std::size_t largest_file = std::size_t{256} << 20;
+
+// FNV-1a: against damage, not against forgers.
+std::uint64_t checksum_of(std::span<const std::byte> data) {
+  std::uint64_t hash = 0xcbf29ce484222325ull;
+  for (const std::byte byte : data)
+    hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3ull;
+  return hash;
+}
+
+std::optional<std::filesystem::path> cache_directory() {
+  // Relative paths are to be ignored, says the XDG base directory specification.
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && cache[0] == '/')
+    return std::filesystem::path(cache) / "groundglass";
+  if (const char* home = std::getenv("HOME"); home && home[0] == '/')
+    return std::filesystem::path(home) / ".cache" / "groundglass";
+  return std::nullopt;
+}
+
+} // namespace
+
+std::optional<std::filesystem::path> cache_file(const Abilities& abilities) {
+  auto file = cache_directory();
+  if (!file) return file;
+  std::string driver;
+  for (const std::uint8_t byte : abilities.id.driverUUID)
+    driver += fmt::format("{:02x}", byte);
+  return *file
+         / fmt::format("vulkan-{:x}-{:x}-{}.pipelines", abilities.properties.vendorID,
+                       abilities.properties.deviceID, driver);
+}
+
+std::vector<std::byte> seal(std::span<const std::byte> data) {
+  Seal head{.bytes = data.size(), .checksum = checksum_of(data)};
+  std::memcpy(head.magic, magic.data(), sizeof head.magic);
+  std::vector<std::byte> file(sizeof head + data.size());
+  std::memcpy(file.data(), &head, sizeof head);
+  if (!data.empty()) std::memcpy(file.data() + sizeof head, data.data(), data.size());
+  return file;
+}
+
+std::optional<std::vector<std::byte>> unseal(std::span<const std::byte> file) {
+  Seal head;
+  if (file.size() < sizeof head) return std::nullopt;
+  std::memcpy(&head, file.data(), sizeof head);
+  const auto data = file.subspan(sizeof head);
+  if (std::string_view(head.magic, sizeof head.magic) != magic || head.bytes != data.size()
+      || head.checksum != checksum_of(data))
+    return std::nullopt;
+  return std::vector<std::byte>(data.begin(), data.end());
+}
+
+bool is_of(const VkPhysicalDeviceProperties& properties, std::span<const std::byte> data) {
+  VkPipelineCacheHeaderVersionOne head;
+  if (data.size() < sizeof head) return false;
+  std::memcpy(&head, data.data(), sizeof head);
+  return head.headerSize >= sizeof head && head.headerSize <= data.size()
+         && head.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE
+         && head.vendorID == properties.vendorID && head.deviceID == properties.deviceID
+         && std::memcmp(head.pipelineCacheUUID, properties.pipelineCacheUUID, VK_UUID_SIZE) == 0;
+}
+
+PipelineCache::PipelineCache(Context& context)
+    : context_(context), file_(cache_file(context.adapter().abilities)) {
+  std::error_code ignored;
+  if (file_ && std::filesystem::is_regular_file(*file_, ignored)) {
+    try {
+      auto data = unseal(read_file(*file_, largest_file));
+      if (data && is_of(context.adapter().abilities.properties, *data)) loaded_ = std::move(*data);
+    } catch (const Error&) {
+      // Unreadable: as if it were not there.
+    }
+  }
+  const VkPipelineCacheCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO,
+                                       .initialDataSize = loaded_.size(),
+                                       .pInitialData = loaded_.data()};
+  check(context.vk().CreatePipelineCache(context.device(), &info, nullptr, &handle_),
+        "creating the pipeline cache");
+}
+
+PipelineCache::~PipelineCache() {
+  try {
+    save();
+  } catch (const std::exception&) {
+    // A full disk or a read-only home: nothing that a picture depends on.
+  }
+  context_.vk().DestroyPipelineCache(context_.device(), handle_, nullptr);
+}
+
+void PipelineCache::save() const {
+  if (!file_) return;
+  std::size_t bytes = 0;
+  const DeviceFunctions& vk = context_.vk();
+  check(vk.GetPipelineCacheData(context_.device(), handle_, &bytes, nullptr),
+        "measuring the pipeline cache");
+  std::vector<std::byte> data(bytes);
+  check(vk.GetPipelineCacheData(context_.device(), handle_, &bytes, data.data()),
+        "reading the pipeline cache");
+  data.resize(bytes);
+  if (data == loaded_) return;
+  std::filesystem::create_directories(file_->parent_path());
+  OutputFile file(*file_);
+  file.write(std::span<const std::byte>(seal(data)));
+  file.commit();
+}
+
+} // namespace gg::gpu::vulkan

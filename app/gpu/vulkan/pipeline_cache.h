@@ -1,0 +1,46 @@
+// Compiled pipelines kept on disk between runs, so that a driver compiles each only once.
+#pragma once
+
+#include "gpu/vulkan/context.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gg::gpu::vulkan {
+
+// Where the file of a device lies: $XDG_CACHE_HOME/groundglass or ~/.cache/groundglass, one file
+// per device and driver. Nothing if there is neither directory.
+std::optional<std::filesystem::path> cache_file(const Abilities& abilities);
+
+// A driver's data with a checksum around it: drivers look at the first few bytes only before they
+// believe the rest. unseal() returns nothing for bytes that seal() did not make.
+std::vector<std::byte> seal(std::span<const std::byte> data);
+std::optional<std::vector<std::byte>> unseal(std::span<const std::byte> file);
+
+// True if the data begins with the header that Vulkan prescribes and is of this very driver.
+bool is_of(const VkPhysicalDeviceProperties& properties, std::span<const std::byte> data);
+
+class PipelineCache {
+public:
+  // A file that is missing, damaged or another driver's is ignored: it is written anew.
+  explicit PipelineCache(Context& context);
+  // Saves what was added. Where that is not possible the next run compiles again, nothing more.
+  ~PipelineCache();
+  PipelineCache(const PipelineCache&) = delete;
+  PipelineCache& operator=(const PipelineCache&) = delete;
+
+  VkPipelineCache handle() const { return handle_; }
+
+private:
+  void save() const;
+
+  Context& context_;
+  std::optional<std::filesystem::path> file_;
+  std::vector<std::byte> loaded_;
+  VkPipelineCache handle_ = VK_NULL_HANDLE;
+};
+
+} // namespace gg::gpu::vulkan
