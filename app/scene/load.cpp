@@ -1,8 +1,10 @@
 #include "scene/load.h"
 
+#include "scene/apply.h"
 #include "scene/compact.h"
 #include "scene/gltf/accessors.h"
 #include "scene/gltf/document.h"
+#include "scene/gltf/extras.h"
 #include "scene/gltf/fail.h"
 #include "scene/gltf/geometry.h"
 #include "scene/gltf/images.h"
@@ -136,6 +138,9 @@ Scene load(const std::filesystem::path& path) {
     for (const Placed& placed : hierarchy.placed())
       placer.place(placed);
   }
+  for (Index i = 0; i < static_cast<Index>(document.model().materials.size()); ++i)
+    if (const auto setting = setting_in_extras(document, i))
+      apply_setting(*setting, extent_of(scene, i), scene.materials[static_cast<std::size_t>(i)]);
   compact(scene);
   scene.bounds = world_bounds(scene);
   if (!scene.bounds.empty() && !(scene.bounds.radius() <= largest_radius))

@@ -1,0 +1,38 @@
+#include "scene/undrawn.h"
+
+namespace gg::scene {
+namespace {
+
+struct Feature {
+  const char* extension;
+  bool (*is_used)(const Material&);
+};
+
+constexpr Feature features[] = {
+    {"KHR_materials_transmission", [](const Material& m) { return m.transmission > 0.0f; }},
+    {"KHR_materials_volume",
+     [](const Material& m) { return m.transmission > 0.0f && m.thickness > 0.0f; }},
+    {"KHR_materials_dispersion",
+     [](const Material& m) { return m.transmission > 0.0f && m.dispersion > 0.0f; }},
+    {"KHR_materials_anisotropy", [](const Material& m) { return m.anisotropy_strength > 0.0f; }},
+    {"KHR_materials_clearcoat", [](const Material& m) { return m.clearcoat > 0.0f; }},
+};
+
+} // namespace
+
+std::vector<std::string> undrawn(const Scene& scene) {
+  std::vector<bool> used(scene.materials.size(), false);
+  for (const Instance& instance : scene.instances)
+    for (const Primitive& p : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
+      used[static_cast<std::size_t>(p.material)] = true;
+  std::vector<std::string> result;
+  for (const Feature& feature : features)
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+      if (used[i] && feature.is_used(scene.materials[i])) {
+        result.emplace_back(feature.extension);
+        break;
+      }
+  return result;
+}
+
+} // namespace gg::scene
