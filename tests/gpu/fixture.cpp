@@ -49,7 +49,8 @@ void OnDevice::fill(const TextureRef& to, const std::string& fragment,
                                                             .vertex = stage("fullscreen.vert"),
                                                             .fragment = stage(fragment),
                                                             .constants = constants,
-                                                            .colors = {to->desc.format}});
+                                                            .colors = {to->desc.format},
+                                                            .cull = Cull::none});
   run({.label = "fill",
        .colors = {{.view = {to}, .clear = {}}},
        .reads = reads,

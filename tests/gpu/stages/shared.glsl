@@ -1,0 +1,1 @@
+float sharedOne() { return 1.0; }

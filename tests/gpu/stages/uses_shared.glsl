@@ -1,0 +1,2 @@
+#include "shared.glsl"
+float usesShared() { return 2.0 * sharedOne(); }

@@ -1,0 +1,4 @@
+// A function with a fault on line 3.
+float wrong() {
+    return undeclared;
+}
