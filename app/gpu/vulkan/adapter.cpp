@@ -132,8 +132,7 @@ Adapter choose(const std::vector<Adapter>& adapters, int index) {
   std::string usable, unusable;
   for (const Adapter& adapter : adapters)
     if (adapter.missing.empty())
-      usable += fmt::format("{}{}: {}", usable.empty() ? "" : "; ", adapter.info.index,
-                            adapter.info.name);
+      usable += (usable.empty() ? "" : "; ") + adapter.info.name;
     else
       unusable += fmt::format("{}{} lacks {}", unusable.empty() ? "" : "; ", adapter.info.name,
                               fmt::join(adapter.missing, ", "));
@@ -144,8 +143,8 @@ Adapter choose(const std::vector<Adapter>& adapters, int index) {
     return adapter.missing.empty() && adapter.info.index == std::max(index, 0);
   });
   if (chosen == adapters.end())
-    throw Error(ExitCode::device, "vulkan", fmt::format("there is no device {}", index),
-                "Choose --device from: " + usable);
+    throw Error(ExitCode::device, "vulkan", "it has no such device, only: " + usable,
+                "Choose --device from what groundglass devices lists");
   return *chosen;
 }
 

@@ -193,8 +193,10 @@ void VulkanDevice::finish() {
 }
 
 std::unique_ptr<Device> create_device(const DeviceDesc& desc) {
-  auto device = std::make_unique<VulkanDevice>(std::make_shared<Context>(desc));
-  return device;
+  if (desc.surface != Surface::automatic)
+    throw Error(ExitCode::usage, "--surface", "Vulkan draws without a surface",
+                "Leave --surface out, or choose --backend opengl");
+  return std::make_unique<VulkanDevice>(std::make_shared<Context>(desc));
 }
 
 std::vector<DeviceInfo> list_devices() {
