@@ -4,7 +4,6 @@
 namespace gg::gpu {
 namespace {
 
-// One backend among those that this program was built with.
 struct Entry {
   Backend backend;
   const char* name;
@@ -14,9 +13,7 @@ struct Entry {
 
 constexpr Entry entries[] = {
     {Backend::opengl, "opengl", opengl::list_devices, opengl::create_device},
-#ifdef GROUNDGLASS_VULKAN
     {Backend::vulkan, "vulkan", vulkan::list_devices, vulkan::create_device},
-#endif
 };
 
 } // namespace

@@ -1,9 +1,9 @@
 // The device by OpenGL 4.5.
 #pragma once
 
+#include "gpu/names.h"
 #include "gpu/opengl/context.h"
 #include "gpu/opengl/encoder.h"
-#include "gpu/opengl/names.h"
 #include "gpu/opengl/timers.h"
 
 #include <vector>

@@ -51,7 +51,8 @@ void GlEncoder::bind_targets() {
   Attachment depth;
   if (pass_->depth)
     depth = of(pass_->depth->view.texture, pass_->label).attachment(pass_->depth->view);
-  const GLuint framebuffer = context_->framebuffers.find_or_make(*context_, colors_, depth);
+  const GLuint framebuffer =
+      context_->framebuffers.find_or_make(*context_, colors_, depth, pass_->label);
 
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   const Extent size = target_extent(*pass_);

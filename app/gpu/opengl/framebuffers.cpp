@@ -18,7 +18,7 @@ void attach(const GladGLContext& gl, GLuint framebuffer, GLenum point, const Att
 } // namespace
 
 GLuint Framebuffers::find_or_make(Context& context, const std::vector<Attachment>& colors,
-                                  const Attachment& depth) {
+                                  const Attachment& depth, const std::string& label) {
   const auto known = std::ranges::find_if(
       entries_, [&](const Entry& e) { return e.depth == depth && e.colors == colors; });
   if (known != entries_.end()) return known->name;
@@ -27,6 +27,7 @@ GLuint Framebuffers::find_or_make(Context& context, const std::vector<Attachment
   GLuint name = 0;
   gl.CreateFramebuffers(1, &name);
   entries_.push_back({colors, depth, name});
+  context.label(GL_FRAMEBUFFER, name, label);
   ++context.counters.created;
   std::vector<GLenum> draw;
   for (const Attachment& color : colors) {

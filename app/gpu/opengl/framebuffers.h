@@ -4,6 +4,7 @@
 #include "gpu/opengl/gl.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace gg::gpu::opengl {
@@ -20,9 +21,9 @@ struct Attachment {
 
 class Framebuffers {
 public:
-  // `depth.texture` 0: none.
+  // `depth.texture` 0: none. A new one is labelled `label`.
   GLuint find_or_make(Context& context, const std::vector<Attachment>& colors,
-                      const Attachment& depth);
+                      const Attachment& depth, const std::string& label);
   void forget(const GladGLContext& gl, std::uint64_t texture_serial); // it is being destroyed
   void clear(const GladGLContext& gl);
 

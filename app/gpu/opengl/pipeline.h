@@ -1,8 +1,8 @@
 // Programs, their fixed state, and where each name is bound.
 #pragma once
 
+#include "gpu/names.h"
 #include "gpu/opengl/context.h"
-#include "gpu/opengl/names.h"
 #include "gpu/shaders/compile.h"
 #include "gpu/types.h"
 
