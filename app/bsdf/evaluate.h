@@ -9,8 +9,7 @@
 
 namespace gg::bsdf {
 
-// Directions are normalised in double and the half-vector is compensated: right to some 1e-13
-// wherever the model itself is continuous.
+// With the compensated half-vector: right to some 1e-14 wherever the model itself is continuous.
 void evaluate_cpu(std::span<const Query> queries, std::span<Values<double>> values);
 
 // Which half-vector the device uses.

@@ -8,8 +8,8 @@ namespace {
 
 using namespace glsl;
 
-f64::vec3 unit(const std::array<float, 3>& v) {
-  return f64::normalize(f64::vec3(v[0], v[1], v[2]));
+f64::vec3 vector(const std::array<float, 3>& v) {
+  return {v[0], v[1], v[2]};
 }
 
 f64::BsdfSurface surface(const Query& q) {
@@ -19,9 +19,10 @@ f64::BsdfSurface surface(const Query& q) {
 
 Values<double> answer(const Query& q) {
   const f64::BsdfSurface s = surface(q);
-  // Walter knows i where the snippets know wo.
+  // Walter knows i where the snippets know wo. The compensated form normalises: in double, before
+  // it, half an ulp of rounding would be amplified as input noise is.
   const f64::BsdfValues v =
-      f64::bsdfValues(f64::bsdfFacetCompensated(unit(q.o), unit(q.i), unit(q.n), s), s);
+      f64::bsdfValues(f64::bsdfFacetCompensated(vector(q.o), vector(q.i), vector(q.n), s), s);
   return {v.d, v.g,    v.gCorrelated, v.fresnel, v.transmitted,
           v.f, v.fCos, v.fCorrelated, v.pdfD,    v.pdfVisible};
 }

@@ -5,6 +5,7 @@ namespace gg::commands {
 void add_all(CLI::App& app) {
   add_devices(app);
   add_eval(app);
+  add_figures(app);
   add_unfinished(app);
 }
 
