@@ -3,6 +3,7 @@
 namespace gg::commands {
 
 void add_all(CLI::App& app) {
+  add_compare(app);
   add_devices(app);
   add_eval(app);
   add_figures(app);

@@ -1,0 +1,208 @@
+// groundglass compare: how wrong a picture is, and how much of that is the reference's noise.
+#include "image/compare.h"
+
+#include "commands/commands.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "image/heat_map.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <memory>
+
+namespace gg::commands {
+namespace {
+
+using image::Comparison;
+using image::Errors;
+using image::Picture;
+using nlohmann::json;
+
+struct Options {
+  std::string test, reference, map, map_of = "flip", json_file;
+  std::vector<int> objects;
+};
+
+struct Column {
+  std::string title;
+  const Errors* errors;
+};
+
+std::vector<Column> columns(const Comparison& comparison, const Picture& with_names) {
+  std::vector<Column> result{{"frame", &comparison.frame}};
+  if (comparison.objects) result.push_back({"objects", &*comparison.objects});
+  // With one object its column would repeat the one before; more than eight do not fit a terminal
+  // and are in the JSON.
+  if (comparison.by_object.size() > 1 && comparison.by_object.size() <= 8)
+    for (const auto& [id, errors] : comparison.by_object) {
+      const auto name = with_names.object_names.find(id);
+      result.push_back({name != with_names.object_names.end() ? name->second.substr(0, 12)
+                                                              : "object " + std::to_string(id),
+                        &errors});
+    }
+  return result;
+}
+
+template <class Cell>
+void print_row(const char* label, const std::vector<Column>& table, const Cell& cell) {
+  fmt::print("{:<22}", label);
+  for (const Column& column : table)
+    fmt::print(" {:>12}", column.errors->pixels > 0 ? cell(*column.errors) : std::string("-"));
+  fmt::print("\n");
+}
+
+void print_table(const std::vector<Column>& table) {
+  fmt::print("{:<22}", "");
+  for (const Column& column : table)
+    fmt::print(" {:>12}", column.title);
+  fmt::print("\n{:<22}", "pixels");
+  for (const Column& column : table)
+    fmt::print(" {:>12}", column.errors->pixels);
+  fmt::print("\n");
+  const auto row = [&](const char* label, double Errors::*value, const char* format) {
+    print_row(label, table,
+              [&](const Errors& e) { return fmt::format(fmt::runtime(format), e.*value); });
+  };
+  row("relMSE", &Errors::relmse, "{:.4g}");
+  row("RMSE", &Errors::rmse, "{:.4g}");
+  row("signed mean", &Errors::signed_mean, "{:+.4g}");
+  row("p99 of |difference|", &Errors::p99, "{:.4g}");
+  row("reference's mean", &Errors::reference_mean, "{:.4g}");
+  row("PSNR, dB (display)", &Errors::psnr, "{:.2f}");
+  row("FLIP, mean (display)", &Errors::flip, "{:.4f}");
+  if (!table.front().errors->noise) return;
+  print_row("relMSE from noise", table,
+            [](const Errors& e) { return fmt::format("{:.4g}", e.noise->relmse); });
+  print_row("std. error of mean", table,
+            [](const Errors& e) { return fmt::format("{:.4g}", e.noise->signed_mean); });
+  print_row("pixels within noise", table, [](const Errors& e) {
+    return fmt::format("{:.1f} %", 100.0 * e.noise->pixels_within);
+  });
+}
+
+// What a reader must know before believing the numbers.
+std::vector<std::string> remarks(const std::vector<Column>& table, const Comparison& comparison) {
+  std::vector<std::string> lines;
+  const auto& noise = comparison.frame.noise;
+  if (!noise || !noise->of_reference)
+    lines.push_back(
+        "The reference does not state its standard error: its own noise, if it has any, "
+        "is part of the errors.");
+  for (const Column& column : table) {
+    if (column.errors->pixels == 0) {
+      lines.push_back(fmt::format("No pixel is wholly covered: {}.", column.title));
+    } else if (image::noise_dominates(*column.errors)) {
+      const Errors& e = *column.errors;
+      lines.push_back(fmt::format(
+          "Noise dominates ({}): it explains {:.0f} % of the relMSE. The test is within {:.2g} of "
+          "the truth; for more, render the reference with more samples.",
+          column.title, std::min(100.0, 100.0 * e.noise->relmse / e.relmse), e.relmse));
+    }
+  }
+  return lines;
+}
+
+json to_json(const Errors& e) {
+  json result{{"pixels", e.pixels}};
+  if (e.pixels == 0) return result;
+  result.update({{"relmse", e.relmse},
+                 {"rmse", e.rmse},
+                 {"signed_mean", e.signed_mean},
+                 {"reference_mean", e.reference_mean},
+                 {"p99", e.p99},
+                 {"psnr", std::isfinite(e.psnr) ? json(e.psnr) : json()}, // null: equal
+                 {"flip", e.flip}});
+  if (e.noise)
+    result["noise"] = {{"of_reference", e.noise->of_reference},
+                       {"of_test", e.noise->of_test},
+                       {"relmse", e.noise->relmse},
+                       {"rmse", e.noise->rmse},
+                       {"signed_mean", e.noise->signed_mean},
+                       {"pixels_within", e.noise->pixels_within},
+                       {"dominates", image::noise_dominates(e)}};
+  return result;
+}
+
+json to_json(const Options& options, const Comparison& comparison, const Picture& with_names,
+             const std::vector<std::string>& remarks) {
+  json result{{"test", options.test},
+              {"reference", options.reference},
+              {"width", comparison.flip_map.width},
+              {"height", comparison.flip_map.height},
+              {"frame", to_json(comparison.frame)},
+              {"remarks", remarks}};
+  if (!comparison.objects) return result;
+  result["objects"] = to_json(*comparison.objects);
+  result["by_object"] = json::array();
+  for (const auto& [id, errors] : comparison.by_object) {
+    json object = to_json(errors);
+    object["id"] = id;
+    if (const auto name = with_names.object_names.find(id); name != with_names.object_names.end())
+      object["name"] = name->second;
+    result["by_object"].push_back(object);
+  }
+  return result;
+}
+
+void write_map(const Options& options, const Comparison& comparison) {
+  if (options.map_of == "flip") {
+    const std::string title = fmt::format("FLIP, mean {:.4f}", comparison.frame.flip);
+    return image::write(options.map, image::heat_map(comparison.flip_map, 1.0, title));
+  }
+  const double top = image::round_top(comparison.relative_map);
+  const std::string title =
+      fmt::format("relative error, RMS {:.3g}", std::sqrt(comparison.frame.relmse));
+  image::write(options.map, image::heat_map(comparison.relative_map, top, title));
+}
+
+void run(const Options& options) {
+  // Complaints about names come before the work.
+  if (!options.map.empty()
+      && (!image::is_writable_extension(options.map) || !options.map.ends_with(".png")))
+    throw Error(ExitCode::usage, options.map, "is no name for a heat map", "Use --map OUT.png.");
+  const Picture test = image::load_picture(options.test);
+  const Picture reference = image::load_picture(options.reference);
+  if (test.display_referred != reference.display_referred)
+    note((test.display_referred ? options.test : options.reference)
+         + " holds 8-bit display values, clipped at 1; they are compared as the light that they "
+           "stand for, which is right only for a picture written with --tonemap none. Write .exr "
+           "to compare radiance");
+  const Comparison comparison = image::compare(test, reference, options.objects);
+  const Picture& with_names = reference.id.empty() ? test : reference;
+  const std::vector<Column> table = columns(comparison, with_names);
+  const std::vector<std::string> lines = remarks(table, comparison);
+  if (!options.map.empty()) write_map(options, comparison);
+  if (!options.json_file.empty()) {
+    OutputFile file(options.json_file);
+    file.write(to_json(options, comparison, with_names, lines).dump(2) + "\n");
+    file.commit();
+  }
+  print_table(table);
+  for (const std::string& line : lines)
+    fmt::print("{}\n", line);
+}
+
+} // namespace
+
+void add_compare(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* const command = app.add_subcommand(
+      "compare", "Measure a picture against a reference: relMSE, RMSE, bias, p99, PSNR, FLIP");
+  command->add_option("TEST", options->test, "The picture to judge (.exr, .hdr, .pfm, .png)")
+      ->required();
+  command->add_option("REFERENCE", options->reference, "The picture to judge it by")->required();
+  command->add_option("--map", options->map, "Write a heat map with its scale (.png)");
+  command->add_option("--map-of", options->map_of, "What the heat map shows: flip or relative")
+      ->check(CLI::IsMember({"flip", "relative"}))
+      ->capture_default_str();
+  command->add_option("--objects", options->objects, "Only these object ids (1,2,...)")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
+  command->add_option("--json", options->json_file, "Write the numbers as JSON");
+  command->callback([options] { run(*options); });
+}
+
+} // namespace gg::commands
