@@ -73,6 +73,17 @@ void paint(cairo_surface_t* surface, double scale, const std::filesystem::path& 
   expect(cairo_status(context.get()), path);
 }
 
+// Cairo numbers its surfaces through the life of a process and writes the number as the id of the
+// drawing's group, to which nothing refers. Without it the bytes do not depend on what was drawn
+// before.
+std::string without_surface_number(std::string svg) {
+  const std::string_view opening = "<g id=\"surface";
+  const std::size_t start = svg.find(opening);
+  if (start == std::string::npos) return svg;
+  const std::size_t number = start + opening.size();
+  return svg.erase(number, svg.find('"', number) - number);
+}
+
 void save(const std::filesystem::path& path, const std::string& bytes) {
   OutputFile file(path);
   file.write(bytes);
@@ -170,7 +181,7 @@ void write_figure(const std::filesystem::path& directory, const std::string& nam
     cairo_surface_finish(svg.get());
     expect(cairo_surface_status(svg.get()), svg_path);
   }
-  save(svg_path, bytes);
+  save(svg_path, without_surface_number(bytes));
 
   bytes.clear();
   const SurfaceOwner png(cairo_image_surface_create(CAIRO_FORMAT_RGB24,

@@ -199,7 +199,7 @@ void mean_directions(Canvas& canvas) {
     const std::array<double, 4> widths{0.1, 0.3, 0.5, 0.8};
     for (std::size_t w = 0; w < widths.size(); ++w)
       plot.curves.push_back({fmt::format("α = {}", widths[w]), ordered(w, widths.size() + 1),
-                             Dash::solid, sampled(0.0, 89.0, 89, [&](double x) {
+                             Dash::solid, sampled(0.0, 88.0, 44, [&](double x) {
                                return mean_transmitted(x * degree, widths[w], eta) / degree;
                              })});
     const double last = eta < 1.0 ? std::asin(eta) / degree : 90.0;
