@@ -1,0 +1,177 @@
+#include "truth/closure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gg::truth {
+namespace {
+
+namespace f64 = glsl::f64;
+
+double largest(const glm::dvec3& v) {
+  return std::max({v.x, v.y, v.z});
+}
+
+} // namespace
+
+Closure::Closure(const Interface& interface, const glm::dvec3& n, const glm::dvec3& wo)
+    : i_(interface), facets_(interface.distribution, interface.alpha, interface.smith), n_(n),
+      wo_(wo), dielectric_(1.0 - interface.metallic) {
+  // An index of 0 or infinity (glTF's "always reflect", seen from either side) is a mirror.
+  if (!(i_.eta > 0.0 && std::isfinite(i_.eta))) i_.eta = 0.0;
+  refracts_ = i_.eta > 0.0 && dielectric_ > 0.0 && largest(i_.transmit) > 0.0;
+  // At index 1 nothing bends light, however rough: what passes goes straight on, and is a delta.
+  lobe_is_delta_ = facets_.smooth() || (i_.eta == 1.0 && i_.metallic == 0.0 && !i_.tinted);
+
+  // Any two directions across n will do; this pair never divides by a small number.
+  const glm::dvec3 aside = std::abs(n.x) > 0.5 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  x_ = glm::normalize(glm::cross(aside, n));
+  y_ = glm::cross(n, x_);
+
+  // How much each lobe sends on, guessed for the flat mirror. Any share between 0 and 1 is right on
+  // average; a tenth at least to each bounds what a wrong guess costs.
+  const Fresnel flat = fresnel(std::clamp(glm::dot(n, wo), 0.0, 1.0));
+  const double base = dielectric_ * largest(i_.diffuse) * flat.entering;
+  const double lobe = largest(flat.reflected) + dielectric_ * largest(i_.transmit) * flat.entering;
+  diffuse_share_ = largest(i_.diffuse) * dielectric_ > 0.0
+                       ? std::clamp(base + lobe > 0.0 ? base / (base + lobe) : 0.5, 0.1, 0.9)
+                       : 0.0;
+}
+
+Closure::Fresnel Closure::fresnel(double c) const {
+  Fresnel f;
+  glm::dvec3 coat(0.0);
+  if (dielectric_ > 0.0) {
+    if (i_.tinted) {
+      // Schlick's angle is the one on the outside, in air; from inside it follows from Snell's law.
+      const double g = f64::fresnelG(c, i_.eta);
+      const bool total = i_.eta > 0.0 && i_.eta < 1.0 && !(g > 0.0);
+      const double outside = i_.eta > 0.0 && i_.eta < 1.0 ? g / i_.eta : c;
+      coat = total
+                 ? glm::dvec3(1.0)
+                 : i_.tinted->f0
+                       + (glm::dvec3(i_.tinted->f90) - i_.tinted->f0) * f64::schlickWeight(outside);
+      f.entering = 1.0 - largest(coat);
+    } else {
+      coat = glm::dvec3(f64::fresnelDielectricAt(c, i_.eta));
+      f.entering = f64::fresnelTransmittedAt(c, i_.eta);
+    }
+  }
+  f.reflected = dielectric_ * coat;
+  if (i_.metallic > 0.0) {
+    const glm::dvec3 metal =
+        i_.metal ? f64::fresnelConductorRgb(c, glm::dvec3(i_.metal->n), glm::dvec3(i_.metal->k))
+                 : f64::fresnelSchlickRgb(c, i_.metal_f0);
+    f.reflected += i_.metallic * metal;
+  }
+  return f;
+}
+
+// Of the rays that the microfacets take, how many to reflect: as many as carry light.
+double Closure::reflect_share(const Fresnel& f) const {
+  if (!refracts_) return 1.0;
+  const double reflected = largest(f.reflected);
+  const double refracted = dielectric_ * largest(i_.transmit) * f.entering;
+  return reflected + refracted > 0.0 ? reflected / (reflected + refracted) : 1.0;
+}
+
+Scattered Closure::evaluate(const glm::dvec3& wi) const {
+  Scattered s;
+  if (glm::dot(wi, n_) > 0.0) {
+    const f64::Facet facet = f64::reflectionFacet(wi, wo_, n_, i_.eta);
+    const bool grazing = !facet.exists; // wo on the horizon, or wi opposite to it
+    const Fresnel f = fresnel(facet.woDotM);
+    if (diffuse_share_ > 0.0) {
+      s.f_cos += f.entering * dielectric_ * i_.diffuse * (facet.wi.z / std::numbers::pi);
+      s.pdf += diffuse_share_ * facet.wi.z / std::numbers::pi;
+    }
+    if (lobe_is_delta_ || grazing) return s;
+    const double lobe =
+        f64::reflectionLobe(facet, facets_.density(facet), facets_.shadowing_reflected(facet));
+    s.f_cos += f.reflected * (lobe * facet.wi.z);
+    s.pdf +=
+        (1.0 - diffuse_share_) * reflect_share(f) * f64::reflectionPdf(facet, facets_.pdf(facet));
+    return s;
+  }
+  if (lobe_is_delta_ || !refracts_) return s;
+  const f64::Facet facet = f64::transmissionFacet(wi, wo_, n_, i_.eta);
+  if (!facet.exists) return s;
+  const Fresnel f = fresnel(facet.woDotM);
+  double f_cos = f64::transmissionFCos(facet, facets_.density(facet),
+                                       facets_.shadowing_transmitted(facet), i_.eta);
+  // The snippet knows the exact 1 - F; a tinted coat lets pass what its own form leaves.
+  if (i_.tinted) {
+    const double exact = f64::fresnelTransmitted(facet.woDotM, facet.g, i_.eta);
+    f_cos = exact > 0.0 ? f_cos * (f.entering / exact) : 0.0;
+  }
+  s.f_cos = dielectric_ * f_cos * i_.transmit;
+  s.pdf = (1.0 - diffuse_share_) * (1.0 - reflect_share(f))
+          * f64::transmissionPdf(facet, facets_.pdf(facet), i_.eta);
+  return s;
+}
+
+std::optional<Drawn> Closure::sample_diffuse(Random& random) const {
+  // Malley: uniform on the disc, lifted to the hemisphere, has density cos / pi.
+  const glm::dvec2 u = random.uniform2();
+  const double r = std::sqrt(u.x), phi = 2.0 * std::numbers::pi * u.y;
+  Drawn drawn;
+  drawn.wi =
+      glm::normalize(r * std::cos(phi) * x_ + r * std::sin(phi) * y_ + std::sqrt(1.0 - u.x) * n_);
+  const Scattered s = evaluate(drawn.wi);
+  if (!(s.pdf > 0.0)) return std::nullopt;
+  drawn.weight = s.f_cos / s.pdf;
+  drawn.pdf = s.pdf;
+  return drawn;
+}
+
+// The whole of a smooth lobe: [Walter07] eq. 39 and 40.
+std::optional<Drawn> Closure::sample_delta(bool reflect, const Fresnel& f, double share) const {
+  Drawn drawn;
+  const double chosen = (1.0 - diffuse_share_) * (reflect ? share : 1.0 - share);
+  if (reflect) {
+    drawn.wi = glm::normalize(f64::reflectAbout(wo_, n_));
+    drawn.weight = f.reflected / chosen;
+    return drawn;
+  }
+  const glm::dvec3 wi = f64::refractAbout(wo_, n_, i_.eta);
+  if (wi == glm::dvec3(0.0)) return std::nullopt;
+  drawn.wi = glm::normalize(wi);
+  drawn.transmitted = true;
+  // Radiance changes with the square of the index: shaders/bsdf/transmission.glsl.
+  drawn.weight = i_.transmit * (dielectric_ * f.entering / (i_.eta * i_.eta * chosen));
+  return drawn;
+}
+
+std::optional<Drawn> Closure::sample(Random& random) const {
+  if (diffuse_share_ > 0.0 && random.uniform() < diffuse_share_) return sample_diffuse(random);
+
+  glm::dvec3 wm = n_;
+  if (!lobe_is_delta_) {
+    const glm::dvec3 local(glm::dot(wo_, x_), glm::dot(wo_, y_), std::max(glm::dot(wo_, n_), 0.0));
+    const glm::dvec3 m = facets_.sample(local, random);
+    wm = glm::normalize(m.x * x_ + m.y * y_ + m.z * n_);
+  }
+  const double c = glm::dot(wo_, wm);
+  if (!(c >= 0.0)) return std::nullopt; // a facet that wo sees from behind (drawn by D alone)
+  const Fresnel f = fresnel(std::min(c, 1.0));
+  const double share = reflect_share(f);
+  const bool reflect = !(random.uniform() >= share);
+  // At index 1 what passes goes straight on, whichever facet it met.
+  if (lobe_is_delta_ || (!reflect && i_.eta == 1.0)) return sample_delta(reflect, f, share);
+
+  Drawn drawn;
+  drawn.transmitted = !reflect;
+  drawn.wi = reflect ? f64::reflectAbout(wo_, wm) : f64::refractAbout(wo_, wm, i_.eta);
+  if (drawn.wi == glm::dvec3(0.0)) return std::nullopt;
+  drawn.wi = glm::normalize(drawn.wi);
+  // A single facet does not send light to the wrong side; what would go there is lost.
+  if ((glm::dot(drawn.wi, n_) > 0.0) != reflect) return std::nullopt;
+  const Scattered s = evaluate(drawn.wi);
+  if (!(s.pdf > 0.0)) return std::nullopt;
+  drawn.weight = s.f_cos / s.pdf;
+  drawn.pdf = s.pdf;
+  return drawn;
+}
+
+} // namespace gg::truth

@@ -1,0 +1,75 @@
+// How one interface scatters: reflection and refraction by microfacets over a diffuse base, for a
+// given viewer. Directions are world, unit and away from the surface (shaders/bsdf: wo, wi, wm, n).
+#pragma once
+
+#include "truth/microfacets.h"
+
+namespace gg::truth {
+
+// Schlick's form for a dielectric whose reflectance is given as a colour (KHR_materials_specular).
+struct TintedReflectance {
+  glm::dvec3 f0{0.04};
+  double f90 = 1.0;
+};
+
+// What the interface is made of, as seen from the viewer's side.
+struct Interface {
+  scene::Distribution distribution = scene::Distribution::ggx;
+  double alpha = 0.0; // width of D, in [0, 1]
+  Smith smith = Smith::separable;
+  double eta = 1.5; // dielectric: n_far / n_near; 0 reflects everything
+  std::optional<TintedReflectance> tinted;
+  double metallic = 0.0;                 // share of the metal, [0, 1]
+  glm::dvec3 metal_f0{1.0};              // the metal by Schlick's form, or
+  std::optional<scene::Conductor> metal; // by its complex index over that of the near side
+  glm::dvec3 diffuse{0.0};               // albedo under the coat, all shares included
+  glm::dvec3 transmit{0.0};              // factor on what is refracted, all shares included
+};
+
+struct Scattered {
+  glm::dvec3 f_cos{0.0}; // f |wi . n|, for radiance seen along wo; 1/sr. Without deltas
+  double pdf = 0.0;      // with which sample() draws wi, 1/sr. Without deltas
+};
+
+struct Drawn {
+  glm::dvec3 wi{0.0};
+  glm::dvec3 weight{0.0}; // f_cos / pdf
+  double pdf = 0.0;       // 1/sr; 0 for a delta
+  bool transmitted = false;
+};
+
+class Closure {
+public:
+  // n: unit, dot(n, wo) >= 0.
+  Closure(const Interface& interface, const glm::dvec3& n, const glm::dvec3& wo);
+
+  Scattered evaluate(const glm::dvec3& wi) const;
+  // A direction with a density near that of f_cos, or nothing if this ray is absorbed.
+  std::optional<Drawn> sample(Random& random) const;
+  // True if nothing but deltas scatter: evaluate() is 0 everywhere.
+  bool only_deltas() const { return lobe_is_delta_ && diffuse_share_ == 0.0; }
+
+  struct Fresnel {
+    glm::dvec3 reflected{0.0}; // by the coat or the metal
+    double entering = 0.0;     // what passes the dielectric coat: 1 - F, 0 past the critical angle
+  };
+  // At a facet that wo meets at this angle.
+  Fresnel fresnel(double cos_near) const;
+  const Interface& interface() const { return i_; }
+  const glm::dvec3& n() const { return n_; }
+
+private:
+  double reflect_share(const Fresnel& fresnel) const;
+  std::optional<Drawn> sample_diffuse(Random& random) const;
+  std::optional<Drawn> sample_delta(bool reflect, const Fresnel& fresnel, double share) const;
+
+  Interface i_;
+  Microfacets facets_;
+  glm::dvec3 n_, x_, y_, wo_;
+  double dielectric_; // share of what is not metal
+  bool refracts_;     // light can pass
+  bool lobe_is_delta_;
+  double diffuse_share_; // probability of drawing from the diffuse lobe
+};
+
+} // namespace gg::truth

@@ -1,0 +1,48 @@
+// The environment as a light: radiance along a direction, and directions drawn where it is bright.
+#pragma once
+
+#include "image/image.h"
+#include "truth/random.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace gg::truth {
+
+class EnvironmentLight {
+public:
+  struct Drawn {
+    glm::dvec3 direction{0.0};
+    glm::dvec3 radiance{0.0};
+    double pdf = 0.0; // 1/sr
+  };
+
+  // An equirectangular map, row 0 towards +Y, direction to texture u = atan2(z, x) / 2 pi + 1/2,
+  // v = acos(y) / pi; finite values, 0 or more. It is turned by `rotation` radians about +Y,
+  // counter-clockwise seen from above, and its radiance multiplied by `intensity`.
+  EnvironmentLight(const image::Image& map, double rotation, double intensity);
+
+  // Radiance from a unit direction: bilinear between the texels' centres, wrapped round, clamped at
+  // the poles.
+  glm::dvec3 radiance(const glm::dvec3& direction) const;
+  // Nothing if the environment is black.
+  std::optional<Drawn> sample(Random& random) const;
+  // The density with which sample() draws the direction, 1/sr.
+  double pdf(const glm::dvec3& direction) const;
+
+private:
+  glm::dvec3 texel(int x, int y) const;
+  glm::dvec3 in_map(const glm::dvec3& world) const;
+  int row_of(double y) const;
+
+  int width_, height_;
+  std::vector<glm::vec3> texels_;
+  double cosine_, sine_, intensity_;
+  // Cumulated power: of the rows, and within each row of its cells. A cell is a texel's rectangle;
+  // inside it directions are drawn uniformly over the sphere.
+  std::vector<double> rows_;
+  std::vector<float> cells_; // (width + 1) a row
+};
+
+} // namespace gg::truth

@@ -1,0 +1,110 @@
+#include "truth/film.h"
+
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace gg::truth {
+namespace {
+
+constexpr const char* color_channels[3] = {"R", "G", "B"};
+constexpr const char* error_channels[3] = {"stderr.R", "stderr.G", "stderr.B"};
+
+} // namespace
+
+void Pixel::add(const glm::dvec3& radiance, std::int32_t met) {
+  sum += radiance;
+  squares += radiance * radiance;
+  object = object == unseen || object == met ? met : 0;
+}
+
+Film::Film(int width, int height)
+    : width_(width), height_(height),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+glm::dvec3 Film::mean(const Pixel& pixel) const {
+  return samples_ > 0 ? pixel.sum / static_cast<double>(samples_) : glm::dvec3(0.0);
+}
+
+glm::dvec3 Film::standard_error(const Pixel& pixel) const {
+  if (samples_ < 2) return glm::dvec3(0.0);
+  const double n = static_cast<double>(samples_);
+  // Samples that are all alike may differ from their mean by rounding, either way.
+  const glm::dvec3 scatter = glm::max(pixel.squares - pixel.sum * pixel.sum / n, glm::dvec3(0.0));
+  return glm::sqrt(scatter / (n * (n - 1.0)));
+}
+
+double Film::relative_error() const {
+  const auto over = [&](bool covered_only) {
+    double sum = 0.0;
+    long count = 0;
+    for (const Pixel& pixel : pixels_) {
+      if (covered_only && pixel.object <= 0) continue;
+      const glm::dvec3 relative = standard_error(pixel) / (glm::abs(mean(pixel)) + 0.1);
+      sum += glm::dot(relative, relative);
+      count += 3;
+    }
+    return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : -1.0;
+  };
+  const double objects = over(true);
+  return objects >= 0.0 ? objects : over(false);
+}
+
+image::Exr Film::to_exr() const {
+  image::Exr exr{.width = width_, .height = height_};
+  for (const char* name : color_channels)
+    exr.channels[name].reserve(pixels_.size());
+  for (const char* name : error_channels)
+    exr.channels[name].reserve(pixels_.size());
+  double errors = 0.0;
+  for (const Pixel& pixel : pixels_) {
+    const glm::dvec3 value = mean(pixel), error = standard_error(pixel);
+    for (int c = 0; c < 3; ++c) {
+      exr.channels[color_channels[c]].push_back(static_cast<float>(value[c]));
+      exr.channels[error_channels[c]].push_back(static_cast<float>(error[c]));
+      errors += error[c];
+    }
+    exr.channels["id"].push_back(static_cast<float>(std::max(pixel.object, 0)));
+  }
+  exr.attributes["spp"] = std::to_string(samples_);
+  exr.attributes["meanStandardError"] =
+      fmt::format("{:.6g}", errors / (3.0 * static_cast<double>(pixels_.size())));
+  exr.attributes["relativeError"] = fmt::format("{:.6g}", relative_error());
+  return exr;
+}
+
+Film Film::from_exr(const image::Exr& exr, const std::filesystem::path& path) {
+  long spp = 0;
+  if (const auto found = exr.attributes.find("spp"); found != exr.attributes.end())
+    std::from_chars(found->second.data(), found->second.data() + found->second.size(), spp);
+  bool complete = spp >= 2 && exr.channels.contains("id");
+  for (int c = 0; c < 3; ++c)
+    complete = complete && exr.channels.contains(color_channels[c])
+               && exr.channels.contains(error_channels[c]);
+  if (!complete)
+    throw Error(ExitCode::input, path, "was not written by groundglass truth",
+                "Leave --resume out to start anew.");
+  Film film(exr.width, exr.height);
+  film.samples_ = spp;
+  const double n = static_cast<double>(spp);
+  for (std::size_t i = 0; i < film.pixels_.size(); ++i) {
+    Pixel& pixel = film.pixels_[i];
+    for (int c = 0; c < 3; ++c) {
+      const double value = static_cast<double>(exr.channels.at(color_channels[c])[i]);
+      const double error = static_cast<double>(exr.channels.at(error_channels[c])[i]);
+      if (!std::isfinite(value) || !std::isfinite(error))
+        throw Error(ExitCode::input, path, "has values that are not finite",
+                    "Leave --resume out to start anew.");
+      pixel.sum[c] = n * value;
+      pixel.squares[c] = n * value * value + n * (n - 1.0) * error * error;
+    }
+    pixel.object = static_cast<std::int32_t>(exr.channels.at("id")[i]);
+  }
+  return film;
+}
+
+} // namespace gg::truth

@@ -1,0 +1,61 @@
+// The scene's triangles and where rays meet them, by Embree. Every instance is laid out in world
+// space.
+#pragma once
+
+#include "scene/scene.h"
+#include "truth/camera.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace gg::truth {
+
+// One primitive of one instance: what Embree calls a geometry.
+struct Part {
+  const scene::Primitive* primitive = nullptr;
+  const scene::Material* material = nullptr;
+  scene::Index instance = scene::none, material_index = scene::none;
+  glm::dmat4 world_from_mesh{1.0};
+  glm::dmat3 normal_from_mesh{1.0}; // inverse transpose, up to a positive factor
+  bool mirrored = false;            // the front faces are clockwise
+  bool one_sided = false;           // not there for a ray that comes from behind
+};
+
+struct Hit {
+  double distance = 0.0;
+  const Part* part = nullptr;
+  std::uint32_t vertices[3] = {0, 0, 0}; // into the primitive's streams
+  glm::dvec3 weights{0.0};               // of the three vertices: barycentric
+  glm::dvec3 position{0.0};              // world, metres
+  glm::dvec3 normal{0.0};                // the triangle's, unit, on its front side
+  double scale = 0.0; // metres: the larger of the position's and the triangle's size, for `leave`
+};
+
+class Geometry {
+public:
+  // Takes the parts' order: part i of `parts()` is the i-th primitive of the instances in order.
+  // Throws Error(internal) if Embree cannot be started or is out of memory.
+  explicit Geometry(const scene::Scene& scene);
+  ~Geometry();
+  Geometry(Geometry&&) noexcept;
+
+  const std::vector<Part>& parts() const { return parts_; }
+
+  // The nearest triangle along the ray. One-sided surfaces are met from their front only.
+  std::optional<Hit> intersect(const Ray& ray) const;
+  // Is there any triangle on the ray?
+  bool occluded(const Ray& ray) const;
+
+  // Where a ray leaves a hit in direction w: the hit, moved off the triangle to the side that w
+  // points to, so that rounding does not let it meet the same triangle again.
+  glm::dvec3 leave(const Hit& hit, const glm::dvec3& w) const;
+
+private:
+  struct Embree;
+  std::vector<Part> parts_;
+  glm::dvec3 centre_{0.0}; // of the scene: Embree's coordinates are relative to it
+  std::unique_ptr<Embree> embree_;
+};
+
+} // namespace gg::truth

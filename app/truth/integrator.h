@@ -1,0 +1,73 @@
+// The light that arrives along a ray: all of it, or what a surface makes of the environment by
+// itself.
+//
+// A path is followed from the camera. At every interface the next direction is drawn from the BSDF
+// (visible normals, then reflection or refraction by Fresnel's shares), and direct light is
+// gathered: from the environment by multiple importance sampling (power heuristic) of the BSDF and
+// of the map's brightness, from a punctual light, which no ray can hit, by a shadow ray. Paths end
+// by Russian roulette alone; nothing is cut off, clamped or thrown away, so the mean has no bias,
+// and rare bright paths show in the standard error.
+//
+// Shading normals. A direction that leaves towards one side of the shading normal and the other
+// side of the triangle would go through the surface the wrong way. Where the BSDF about the shading
+// normal draws such a direction, its light is scattered by the BSDF about the triangle's normal
+// instead; so no light is lost, none leaks, and where both normals agree nothing changes.
+#pragma once
+
+#include "truth/environment_light.h"
+#include "truth/geometry.h"
+#include "truth/media.h"
+#include "truth/surface.h"
+
+namespace gg::truth {
+
+enum class Transport {
+  full,        // all paths of any length
+  surface_only // the first visible surface, lit by everything through its BSDF alone: nothing
+               // shadows, nothing is reflected twice. Behind a solid's first interface the
+               // environment goes on, radiance / index² kept
+};
+
+struct Sample {
+  glm::dvec3 radiance{0.0};
+  std::int32_t object = 0; // 1 + instance that the ray met first; 0: none
+};
+
+class Integrator {
+public:
+  struct Settings {
+    Smith smith = Smith::separable;
+    Transport transport = Transport::full;
+  };
+
+  // Without an environment only lights and emissive surfaces shine. `eye`: where perspective rays
+  // start; the solids around it are found once.
+  Integrator(const scene::Scene& scene, const EnvironmentLight* environment,
+             const std::optional<glm::dvec3>& eye, const Settings& settings);
+
+  Sample trace(const Ray& camera_ray, Random& random) const;
+
+private:
+  struct Path;
+  struct Meeting;
+
+  bool scatter(Path& path, Meeting& meeting) const;
+  void add_direct_light(Path& path, const Meeting& meeting, const Closure& closure) const;
+  void add_environment(Path& path) const;
+  bool survives(Path& path) const;
+  Closure closure_at(const Meeting& meeting) const;
+  glm::dvec3 shadow(Ray ray, Inside inside, bool through_walls) const;
+  glm::dvec3 straight_through(const Hit& hit, const Ray& ray, Inside& inside,
+                              bool through_walls) const;
+
+  const scene::Scene& scene_;
+  const EnvironmentLight* environment_;
+  Settings settings_;
+  Geometry geometry_;
+  Media media_;
+  Surfaces surfaces_;
+  Inside around_eye_;
+  bool casts_clear_shadows_ = false; // some surface lets a shadow ray pass
+};
+
+} // namespace gg::truth

@@ -1,0 +1,111 @@
+#include "truth/media.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gg::truth {
+
+void Inside::enter(SolidId solid) {
+  if (count_ == solids_.size()) {
+    std::shift_left(solids_.begin(), solids_.end(), 1);
+    --count_;
+  }
+  solids_[count_++] = solid;
+}
+
+void Inside::leave(SolidId solid) {
+  auto* const last = solids_.data() + count_;
+  // The order within does not matter, so the last one takes the place of the one that goes.
+  if (auto* const found = std::find(solids_.data(), last, solid); found != last) {
+    *found = *(last - 1);
+    --count_;
+  }
+}
+
+bool Inside::contains(SolidId solid) const {
+  return std::find(begin(), end(), solid) != end();
+}
+
+Media::Media(const scene::Scene& scene, const Geometry& geometry) {
+  std::map<std::pair<scene::Index, scene::Index>, SolidId> known;
+  std::vector<scene::Bounds> bounds;
+  if (!geometry.parts().empty()) first_ = geometry.parts().data();
+  for (const Part& part : geometry.parts()) {
+    const scene::Material& m = *part.material;
+    if (!(m.transmission > 0.0f && m.thickness > 0.0f) || m.unlit) {
+      of_part_.push_back(air);
+      continue;
+    }
+    const auto [entry, is_new] = known.try_emplace({part.instance, part.material_index},
+                                                   static_cast<SolidId>(solids_.size()));
+    if (is_new) {
+      solids_.push_back({.ior = static_cast<double>(m.ior),
+                         .attenuation_color = glm::dvec3(m.attenuation_color),
+                         .attenuation_distance = static_cast<double>(m.attenuation_distance)});
+      bounds.emplace_back();
+    }
+    const scene::Stream& positions =
+        scene.streams[static_cast<std::size_t>(part.primitive->positions)];
+    for (std::size_t i = 0; i + 2 < positions.values.size(); i += 3)
+      bounds[static_cast<std::size_t>(entry->second)].include(
+          glm::vec3(part.world_from_mesh
+                    * glm::dvec4(positions.values[i], positions.values[i + 1],
+                                 positions.values[i + 2], 1.0)));
+    of_part_.push_back(entry->second);
+  }
+  for (std::size_t i = 0; i < solids_.size(); ++i) {
+    const glm::dvec3 size(bounds[i].high - bounds[i].low);
+    solids_[i].volume = size.x * size.y * size.z;
+  }
+}
+
+SolidId Media::bounded_by(const Part& part) const {
+  return of_part_[static_cast<std::size_t>(&part - first_)];
+}
+
+SolidId Media::at(const Inside& inside) const {
+  SolidId found = air;
+  for (const SolidId id : inside) {
+    const auto volume = [&](SolidId s) { return solids_[static_cast<std::size_t>(s)].volume; };
+    if (found == air || volume(id) < volume(found) || (volume(id) == volume(found) && id > found))
+      found = id;
+  }
+  return found;
+}
+
+double Media::ior(SolidId medium) const {
+  return medium == air ? 1.0 : solids_[static_cast<std::size_t>(medium)].ior;
+}
+
+glm::dvec3 Media::transmittance(SolidId medium, double distance) const {
+  if (medium == air) return glm::dvec3(1.0);
+  const Solid& solid = solids_[static_cast<std::size_t>(medium)];
+  const double depth = distance / solid.attenuation_distance; // 0 where it is infinite
+  // KHR_materials_volume: the colour that white light has after the attenuation distance.
+  if (!(depth > 0.0)) return glm::dvec3(1.0);
+  return {std::pow(solid.attenuation_color.x, depth), std::pow(solid.attenuation_color.y, depth),
+          std::pow(solid.attenuation_color.z, depth)};
+}
+
+Inside solids_around(const glm::dvec3& point, const Geometry& geometry, const Media& media) {
+  Inside found;
+  if (media.empty()) return found;
+  // A direction that is unlikely to run along a wall or through an edge of what people model.
+  Ray ray{point, glm::normalize(glm::dvec3(0.3183, 0.8660, 0.4142))};
+  std::map<SolidId, int> depth; // crossings in, less crossings out, since the point
+  while (const auto hit = geometry.intersect(ray)) {
+    if (const SolidId solid = media.bounded_by(*hit->part); solid != air) {
+      // Left before it was entered: it was around the point.
+      if (glm::dot(ray.direction, hit->normal) < 0.0)
+        ++depth[solid];
+      else if (--depth[solid] < 0) {
+        found.enter(solid);
+        ++depth[solid];
+      }
+    }
+    ray.origin = geometry.leave(*hit, ray.direction);
+  }
+  return found;
+}
+
+} // namespace gg::truth

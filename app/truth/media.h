@@ -1,0 +1,66 @@
+// What a point of space is filled with: air, or one of the scene's solids.
+//
+// Solids may stand in each other (a bubble in glass, a drink that reaches into its glass). Where
+// several overlap, the smallest (by its bounds) fills the place: what is put into something
+// displaces it. The answer depends on the point alone, not on the way a path took to it, so
+// transport stays reciprocal.
+#pragma once
+
+#include "truth/geometry.h"
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace gg::truth {
+
+using SolidId = std::int32_t;
+inline constexpr SolidId air = -1;
+
+// The solids that a point is inside of. A mesh whose parts overlap is entered as often as its
+// surface is crossed.
+class Inside {
+public:
+  void enter(SolidId solid);
+  void leave(SolidId solid); // once; nothing if it was not entered
+  bool contains(SolidId solid) const;
+  const SolidId* begin() const { return solids_.data(); }
+  const SolidId* end() const { return solids_.data() + count_; }
+
+private:
+  // More than 16 crossings deep the outermost is forgotten: no scene of glass in glass is.
+  std::array<SolidId, 16> solids_{};
+  std::size_t count_ = 0;
+};
+
+struct Solid {
+  double ior = 1.0;
+  glm::dvec3 attenuation_color{1.0};
+  double attenuation_distance = INFINITY; // metres
+  double volume = 0.0;                    // of its bounds: smaller displaces larger
+};
+
+class Media {
+public:
+  Media(const scene::Scene& scene, const Geometry& geometry);
+
+  // The solid that the part bounds, or air if it bounds none. The parts of one instance that share
+  // a material bound one solid.
+  SolidId bounded_by(const Part& part) const;
+  // What fills a place that is inside of these.
+  SolidId at(const Inside& inside) const;
+  double ior(SolidId medium) const;
+  // Beer and Lambert: what is left of light after `distance` metres, in [0, 1] per channel.
+  glm::dvec3 transmittance(SolidId medium, double distance) const;
+  bool empty() const { return solids_.empty(); }
+
+private:
+  std::vector<Solid> solids_;
+  std::vector<SolidId> of_part_;
+  const Part* first_ = nullptr;
+};
+
+// The solids that contain the point, found by following a ray from it to infinity.
+Inside solids_around(const glm::dvec3& point, const Geometry& geometry, const Media& media);
+
+} // namespace gg::truth

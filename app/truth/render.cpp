@@ -1,0 +1,78 @@
+#include "truth/render.h"
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace gg::truth {
+namespace {
+
+// The error itself is known no better than its samples: with fewer than 16 it may seem small
+// because nothing bright has been met yet.
+constexpr long least_samples = 16;
+
+// How many samples the next pass takes: the error is looked at as their number grows by a
+// sixteenth, and a pass stays short enough (some seconds at most) to be interrupted.
+long pass_size(long done, long goal, long pixels) {
+  constexpr long most_in_a_pass = 1L << 21;
+  const long short_enough = std::max(1L, most_in_a_pass / pixels);
+  return std::clamp(done / least_samples, 1L, std::min(short_enough, goal - done));
+}
+
+// One pass into a copy of the film; false if it was stopped on the way.
+bool add_pass(const Integrator& integrator, const Camera& camera, std::uint64_t seed, long count,
+              Film& film, const std::function<bool()>& stop) {
+  const long first = film.samples();
+  std::atomic<bool> going{true};
+  constexpr int tile = 16; // pixels: some milliseconds of work, enough tiles for all threads
+  tbb::parallel_for(tbb::blocked_range2d<int>(0, film.height(), tile, 0, film.width(), tile),
+                    [&](const tbb::blocked_range2d<int>& range) {
+                      if (!going.load()) return;
+                      for (int y = range.rows().begin(); y < range.rows().end(); ++y)
+                        for (int x = range.cols().begin(); x < range.cols().end(); ++x) {
+                          Pixel& pixel = film.at(x, y);
+                          const std::uint64_t place = static_cast<std::uint64_t>(y)
+                                                          * static_cast<std::uint64_t>(film.width())
+                                                      + static_cast<std::uint64_t>(x);
+                          for (long k = first; k < first + count; ++k) {
+                            Random random(seed, place, static_cast<std::uint64_t>(k));
+                            const glm::dvec2 at = random.uniform2(); // box filter of one pixel
+                            const Sample sample =
+                                integrator.trace(camera.through(x + at.x, y + at.y), random);
+                            pixel.add(sample.radiance, sample.object);
+                          }
+                        }
+                      if (stop()) going.store(false);
+                    });
+  film.add_samples(count);
+  return going.load();
+}
+
+} // namespace
+
+bool render(const Integrator& integrator, const Camera& camera, const RenderDesc& desc, Film& film,
+            const Watch& watch) {
+  tbb::task_arena arena(desc.threads > 0 ? desc.threads : tbb::task_arena::automatic);
+  const long pixels = static_cast<long>(film.width()) * film.height();
+  double error = film.samples() > 0 ? film.relative_error() : INFINITY;
+  while (film.samples() < desc.samples) {
+    if (desc.error > 0.0 && film.samples() >= least_samples && error <= desc.error) break;
+    const long done = film.samples();
+    if (watch.stop()) return false;
+    Film next = film;
+    const bool complete = arena.execute([&] {
+      return add_pass(integrator, camera, desc.seed, pass_size(done, desc.samples, pixels), next,
+                      watch.stop);
+    });
+    if (!complete) return false;
+    film = std::move(next);
+    error = film.relative_error();
+    watch.report(film.samples(), error);
+  }
+  return true;
+}
+
+} // namespace gg::truth

@@ -1,0 +1,33 @@
+// A picture of known error: passes of samples over all pixels until enough is known.
+#pragma once
+
+#include "truth/film.h"
+#include "truth/integrator.h"
+
+#include <functional>
+
+namespace gg::truth {
+
+struct RenderDesc {
+  std::uint64_t seed = 0;
+  // Stop at this many samples per pixel, those already on the film included,
+  long samples = 64;
+  // or sooner, when Film::relative_error() has come down to this. 0: samples alone decide.
+  double error = 0.0;
+  int threads = 0; // 0: as many as the machine has
+};
+
+struct Watch {
+  // Told after every pass how many samples a pixel has, and the relative error.
+  std::function<void(long samples, double error)> report = [](long, double) {};
+  // Asked often, by any thread: a pass that it ends is dropped, what was there before is kept.
+  std::function<bool()> stop = [] { return false; };
+};
+
+// Adds samples to the film. Sample k of a pixel depends on the seed, the pixel and k alone, so the
+// result is the same for any number of threads and any way of dividing the work. Returns false if
+// it was stopped before its goal.
+bool render(const Integrator& integrator, const Camera& camera, const RenderDesc& desc, Film& film,
+            const Watch& watch = {});
+
+} // namespace gg::truth

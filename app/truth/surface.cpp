@@ -1,0 +1,185 @@
+#include "truth/surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gg::truth {
+namespace {
+
+using scene::Material;
+
+SurfaceKind kind_of(const Material& m) {
+  if (m.unlit) return SurfaceKind::unlit;
+  if (!(m.transmission > 0.0f)) return SurfaceKind::opaque;
+  return m.thickness > 0.0f ? SurfaceKind::solid : SurfaceKind::thin;
+}
+
+// A coloured or weakened reflectance is no index of refraction: Schlick's form is all that is left.
+// glTF's ior 0 asks for F = 1 at every angle, which Schlick's form gives with F0 = 1.
+bool has_tinted_reflectance(const Material& m) {
+  return m.specular != 1.0f || m.specular_color != glm::vec3(1.0f) || m.ior == 0.0f
+         || m.specular_map || m.specular_color_map;
+}
+
+} // namespace
+
+glm::dvec3 face_viewer(const glm::dvec3& n, const glm::dvec3& wo) {
+  // Exactly on the horizon rounding would decide whether there is a reflection; a microradian above
+  // it none does, and no picture shows the difference.
+  constexpr double above_horizon = 1e-6;
+  const double c = glm::dot(n, wo);
+  return c >= above_horizon ? n : glm::normalize(n - (c - above_horizon) * wo);
+}
+
+bool Surfaces::has_holes(const Material& material) {
+  return material.alpha_mode != scene::AlphaMode::opaque;
+}
+
+glm::dvec4 Surfaces::interpolate(const Hit& hit, scene::Index index) const {
+  const scene::Stream& stream = scene_.streams[static_cast<std::size_t>(index)];
+  const std::size_t components = static_cast<std::size_t>(stream.components);
+  glm::dvec4 sum(0.0);
+  for (int corner = 0; corner < 3; ++corner) {
+    const float* v = stream.values.data() + components * hit.vertices[corner];
+    for (std::size_t c = 0; c < components && c < 4; ++c)
+      sum[static_cast<int>(c)] += hit.weights[corner] * static_cast<double>(v[c]);
+  }
+  return sum;
+}
+
+bool Surfaces::reads(const Hit& hit, const scene::Slot& slot) const {
+  const auto& uvs = hit.part->primitive->uvs;
+  return slot && slot.uv_set < static_cast<int>(uvs.size())
+         && uvs[static_cast<std::size_t>(slot.uv_set)] != scene::none;
+}
+
+glm::dvec2 Surfaces::uv(const Hit& hit, int set) const {
+  return glm::dvec2(interpolate(hit, hit.part->primitive->uvs[static_cast<std::size_t>(set)]));
+}
+
+// White where the primitive has no such coordinates: glTF has no meaning for it.
+glm::dvec4 Surfaces::map(const Hit& hit, const scene::Slot& slot, Encoding encoding) const {
+  if (!reads(hit, slot)) return glm::dvec4(1.0);
+  return textures_.at(slot, uv(hit, slot.uv_set), encoding);
+}
+
+glm::dvec4 Surfaces::base_color(const Hit& hit) const {
+  const Material& m = *hit.part->material;
+  glm::dvec4 color = glm::dvec4(m.base_color) * map(hit, m.base_color_map, Encoding::srgb);
+  if (const scene::Index colors = hit.part->primitive->colors; colors != scene::none) {
+    glm::dvec4 vertex = interpolate(hit, colors);
+    if (scene_.streams[static_cast<std::size_t>(colors)].components < 4) vertex.w = 1.0;
+    color *= vertex;
+  }
+  return color;
+}
+
+double Surfaces::coverage(const Hit& hit) const {
+  const Material& m = *hit.part->material;
+  if (!has_holes(m)) return 1.0;
+  const double alpha = base_color(hit).w;
+  if (m.alpha_mode == scene::AlphaMode::blend) return std::clamp(alpha, 0.0, 1.0);
+  return alpha < static_cast<double>(m.alpha_cutoff) ? 0.0 : 1.0;
+}
+
+// A stream of directions, made unit in the world at the corners and interpolated between them.
+glm::dvec3 Surfaces::direction(const Hit& hit, scene::Index index, const glm::dmat3& world) const {
+  const scene::Stream& stream = scene_.streams[static_cast<std::size_t>(index)];
+  const std::size_t components = static_cast<std::size_t>(stream.components);
+  glm::dvec3 sum(0.0);
+  for (int corner = 0; corner < 3; ++corner) {
+    const float* v = stream.values.data() + components * hit.vertices[corner];
+    const glm::dvec3 moved = world * glm::dvec3(v[0], v[1], v[2]);
+    const double length = glm::length(moved);
+    if (length > 0.0) sum += (hit.weights[corner] / length) * moved;
+  }
+  return sum;
+}
+
+// The interpolated normal, bent by the normal map, on the front side. MikkTSpace: the basis is unit
+// at the corners, interpolated, and used as it arrives, neither made unit nor orthogonal again.
+glm::dvec3 Surfaces::normal(const Hit& hit) const {
+  const Part& part = *hit.part;
+  const Material& m = *part.material;
+  const glm::dvec3 normal = direction(hit, part.primitive->normals, part.normal_from_mesh);
+  glm::dvec3 n = normal;
+  if (part.primitive->tangents != scene::none && reads(hit, m.normal_map)) {
+    const glm::dvec3 tangent =
+        direction(hit, part.primitive->tangents, glm::dmat3(part.world_from_mesh));
+    const double sign = interpolate(hit, part.primitive->tangents).w;
+    const double side = part.mirrored ? -sign : sign;
+    glm::dvec3 bend = glm::dvec3(map(hit, m.normal_map, Encoding::linear)) * 2.0 - 1.0;
+    const double scale = static_cast<double>(m.normal_map.scale);
+    bend.x *= scale, bend.y *= scale;
+    n = bend.x * tangent + bend.y * side * glm::cross(normal, tangent) + bend.z * normal;
+  }
+  const double length = glm::length(n);
+  return length > 0.0 && std::isfinite(length) ? n / length : hit.normal;
+}
+
+Surface Surfaces::read(const Hit& hit, const glm::dvec3& wo) const {
+  const Material& m = *hit.part->material;
+  Surface s;
+  s.hit = hit;
+  s.material = &m;
+  s.kind = kind_of(m);
+  s.wo = wo;
+  s.front = glm::dot(hit.normal, wo) >= 0.0;
+  s.geometric = s.front ? hit.normal : -hit.normal;
+  const glm::dvec4 base = base_color(hit);
+  s.base_color = glm::dvec3(base);
+  if (s.kind == SurfaceKind::unlit) return s;
+
+  const glm::dvec3 n = normal(hit);
+  s.n = face_viewer(s.front ? n : -n, wo); // glTF: a back face's normal is turned before lighting
+
+  double roughness = static_cast<double>(m.roughness);
+  s.metallic = m.conductor ? 1.0 : static_cast<double>(m.metallic);
+  if (reads(hit, m.metallic_roughness_map)) {
+    const glm::dvec4 texel = map(hit, m.metallic_roughness_map, Encoding::linear);
+    if (!m.conductor) s.metallic *= texel.z;
+    roughness *= texel.y;
+  }
+  s.alpha = m.exact_alpha ? static_cast<double>(*m.exact_alpha) : roughness * roughness;
+  if (!s.front && s.kind == SurfaceKind::solid && m.back_alpha)
+    s.alpha = static_cast<double>(*m.back_alpha);
+  s.specular = static_cast<double>(m.specular) * map(hit, m.specular_map, Encoding::linear).w;
+  s.specular_color =
+      glm::dvec3(m.specular_color) * glm::dvec3(map(hit, m.specular_color_map, Encoding::srgb));
+  if (s.kind == SurfaceKind::thin || s.kind == SurfaceKind::solid)
+    s.transmission =
+        static_cast<double>(m.transmission) * map(hit, m.transmission_map, Encoding::linear).x;
+  if (reads(hit, m.occlusion_map))
+    s.occlusion = 1.0
+                  + static_cast<double>(m.occlusion_map.scale)
+                        * (map(hit, m.occlusion_map, Encoding::linear).x - 1.0);
+  s.emissive = glm::dvec3(m.emissive) * glm::dvec3(map(hit, m.emissive_map, Encoding::srgb));
+  return s;
+}
+
+Interface interface_of(const Surface& s, double near_ior, double far_ior, Smith smith,
+                       const glm::dvec3& tint) {
+  const Material& m = *s.material;
+  Interface i;
+  i.distribution = m.distribution;
+  i.alpha = s.alpha;
+  i.smith = smith;
+  i.eta = near_ior > 0.0 ? far_ior / near_ior : 0.0;
+  i.metallic = s.metallic;
+  i.metal_f0 = s.base_color;
+  if (m.conductor) {
+    const float near = static_cast<float>(near_ior > 0.0 ? near_ior : 1.0);
+    i.metal = scene::Conductor{m.conductor->n / near, m.conductor->k / near};
+  }
+  if (has_tinted_reflectance(m)) {
+    // KHR_materials_specular: f0 = min(f0 of the index * colour, 1) * strength, f90 = strength.
+    const double f0 = i.eta > 0.0 ? glsl::f64::fresnelNormalIncidence(i.eta) : 1.0;
+    i.tinted = TintedReflectance{glm::min(f0 * s.specular_color, glm::dvec3(1.0)) * s.specular,
+                                 s.specular};
+  }
+  i.diffuse = (1.0 - s.transmission) * s.base_color;
+  i.transmit = s.transmission * tint;
+  return i;
+}
+
+} // namespace gg::truth

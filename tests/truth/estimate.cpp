@@ -1,0 +1,40 @@
+#include "truth/estimate.h"
+
+#include <cmath>
+
+namespace gg::truth::test {
+
+Estimate trace(const Integrator& integrator, const Ray& ray, long samples, std::uint64_t seed) {
+  glm::dvec3 sum(0.0), squares(0.0);
+  for (long k = 0; k < samples; ++k) {
+    Random random(seed, 0, static_cast<std::uint64_t>(k));
+    const glm::dvec3 x = integrator.trace(ray, random).radiance;
+    sum += x;
+    squares += x * x;
+  }
+  const double n = static_cast<double>(samples);
+  const glm::dvec3 mean = sum / n;
+  return {mean, glm::sqrt(glm::max(squares / n - mean * mean, glm::dvec3(0.0)) / (n - 1.0))};
+}
+
+::testing::AssertionResult agrees(const Estimate& estimate, const glm::dvec3& expected,
+                                  double slack) {
+  constexpr double sigmas = 5.0;
+  for (int c = 0; c < 3; ++c) {
+    const double off = std::abs(estimate.mean[c] - expected[c]);
+    if (!(off <= sigmas * estimate.error[c] + slack))
+      return ::testing::AssertionFailure()
+             << "channel " << c << " is " << estimate.mean[c] << " +- " << estimate.error[c]
+             << ", expected " << expected[c];
+  }
+  return ::testing::AssertionSuccess();
+}
+
+EnvironmentLight constant_environment(const glm::vec3& radiance) {
+  image::Image map(1, 1, 3);
+  for (int c = 0; c < 3; ++c)
+    map.at(0, 0, c) = radiance[c];
+  return EnvironmentLight(map, 0.0, 1.0);
+}
+
+} // namespace gg::truth::test
