@@ -1,5 +1,6 @@
 #include "gpu/fixture.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -11,14 +12,19 @@ std::string name_of(const testing::TestParamInfo<Target>& info) {
 }
 
 std::vector<Target> targets() {
+  static const bool vulkan = std::ranges::any_of(
+      list_devices(), [](const DeviceInfo& info) { return info.backend == "vulkan"; });
   std::vector<Target> result = {{Backend::opengl, Surface::egl},
                                 {Backend::opengl, Surface::osmesa}};
-  for (const DeviceInfo& info : list_devices())
-    if (info.backend == "vulkan") {
-      result.push_back({Backend::vulkan, Surface::automatic});
-      break;
-    }
+  if (vulkan) result.push_back({Backend::vulkan, Surface::automatic});
   return result;
+}
+
+testing::AssertionResult says(const std::string& message, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts)
+    if (message.find(part) == std::string::npos)
+      return testing::AssertionFailure() << "'" << message << "' does not say '" << part << "'";
+  return testing::AssertionSuccess();
 }
 
 std::string stage(const std::string& file) {

@@ -21,6 +21,9 @@ std::string name_of(const testing::TestParamInfo<Target>& info); // "opengl_egl"
 // OpenGL through EGL and OSMesa always, Vulkan if the machine lists a device of it.
 std::vector<Target> targets();
 
+// Whether a message says all of these.
+testing::AssertionResult says(const std::string& message, const std::vector<std::string>& parts);
+
 // A stage of tests/gpu/stages.
 std::string stage(const std::string& file);
 

@@ -55,24 +55,28 @@ Stage stage_of(const fs::path& file) {
               "is not a stage: its name ends in none of .vert .frag .comp");
 }
 
+// Whether this is the "stages/x.frag:7" that the compiler puts before a message.
+bool is_place(std::string_view text) {
+  const std::size_t colon = text.rfind(':');
+  return colon != std::string_view::npos && colon + 1 < text.size()
+         && text.find_first_not_of("0123456789", colon + 1) == std::string_view::npos;
+}
+
 // The compiler says "ERROR: stages/x.frag:7: 'y' : undeclared identifier", then a count. Splits
 // that into the first place and the list without the prefixes.
 [[noreturn]] void fail(const std::string& name, const std::string& log) {
   constexpr std::string_view prefix = "ERROR: ";
   std::istringstream lines(log);
   std::string line, place = name, text;
-  bool first = true;
   while (std::getline(lines, line)) {
     if (line.empty() || line.find("compilation errors.") != std::string::npos) continue;
     if (line.starts_with(prefix)) line.erase(0, prefix.size());
     const std::size_t message = line.find(": ");
-    if (first && message != std::string::npos) {
+    if (text.empty() && is_place(line.substr(0, message))) {
       place = line.substr(0, message);
-      text += line.substr(message + 2);
-    } else {
-      text += (first ? "" : "\n  ") + line;
+      line.erase(0, message + 2);
     }
-    first = false;
+    text += (text.empty() ? "" : "\n  ") + line;
   }
   throw Error(ExitCode::internal, place, text);
 }

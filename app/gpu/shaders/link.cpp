@@ -71,11 +71,14 @@ void check_constants(const std::string& label, std::span<const Constant> constan
 void check_varyings(const std::string& label, const Program& program) {
   if (program.modules.size() != 2) return;
   const std::vector<Varying>& written = program.reflections[0].outputs;
-  for (const Varying& input : program.reflections[1].inputs)
-    if (std::ranges::find(written, input.location, &Varying::location) == written.end())
+  for (const Varying& input : program.reflections[1].inputs) {
+    const auto output = std::ranges::find(written, input.location, &Varying::location);
+    if (output == written.end() || output->components < input.components
+        || output->floats != input.floats)
       refuse(label, program.modules[1],
              "input " + input.name + " at location " + std::to_string(input.location)
-                 + " is not written by " + program.modules[0].name);
+                 + " is not written as such by " + program.modules[0].name);
+  }
 }
 
 } // namespace

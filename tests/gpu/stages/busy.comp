@@ -5,6 +5,6 @@ layout(std430, binding = 0) buffer Numbers { uint numbers[]; };
 
 void main() {
     uint x = gl_GlobalInvocationID.x;
-    for (int i = 0; i < 20000; ++i) x = x * 1664525u + 1013904223u;
+    for (int i = 0; i < 2000; ++i) x = x * 1664525u + 1013904223u;
     numbers[gl_GlobalInvocationID.x] = x;
 }
