@@ -20,7 +20,7 @@ constexpr Id nobody = ~Id{0};
 
 struct Vertex {
   glm::vec3 position, normal;
-  glm::vec2 uv; // v upwards
+  glm::vec2 uv; // v upwards: negated, which unlike 1 - v loses no digits
   bool operator==(const Vertex&) const = default;
 };
 
@@ -101,7 +101,7 @@ private:
       if (place == welded.end()) {
         const Vertex v{glm::make_vec3(positions.data() + 3 * std::size_t{i}),
                        glm::make_vec3(normals.data() + 3 * std::size_t{i}),
-                       {uvs[2 * std::size_t{i}], 1.0f - uvs[2 * std::size_t{i} + 1]}};
+                       {uvs[2 * std::size_t{i}], -uvs[2 * std::size_t{i} + 1]}};
         const auto [found, is_new] = known.emplace(v, static_cast<Id>(vertices_.size()));
         if (is_new) vertices_.push_back(v);
         place = welded.emplace(i, found->second).first;
