@@ -8,6 +8,7 @@
 #include "frame/display.h"
 #include "frame/renderer.h"
 #include "image/image.h"
+#include "scene/undrawn.h"
 #include "tables/device_tables.h"
 
 #include <CLI/CLI.hpp>
@@ -50,7 +51,8 @@ double median(std::vector<double> values) {
   return n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
-// Draws `count` frames after a warm-up and returns milliseconds: of whole frames by the clock, of passes by the device.
+// Draws `count` frames after a warm-up and returns milliseconds: of whole frames by the clock, of
+// passes by the device.
 nlohmann::json time_frames(gpu::Device& device, frame::Renderer& renderer, int count) {
   constexpr int warm_up = 3; // frames until caches and clocks have settled
   std::vector<double> frames;
@@ -64,18 +66,25 @@ nlohmann::json time_frames(gpu::Device& device, frame::Renderer& renderer, int c
     device.finish();
     if (i < 0) continue;
     frames.push_back(ms_since(start));
-    // The passes' own timers are read in a frame of their own: reading them waits for the device after every sample.
+    // The passes' own timers are read in a frame of their own: reading them waits for the device
+    // after every sample.
     renderer.draw(&times);
-    for (const auto& [label, ms] : times) passes[label].push_back(ms);
+    for (const auto& [label, ms] : times)
+      passes[label].push_back(ms);
     progress.update(i + 1);
   }
   std::vector<double> sorted = frames;
   std::ranges::sort(sorted);
   nlohmann::json per_pass;
-  for (const auto& [label, times] : passes) per_pass[label] = median(times);
+  for (const auto& [label, times] : passes)
+    per_pass[label] = median(times);
   // Nearest-rank 95th percentile.
   const std::size_t rank = (sorted.size() * 95 + 99) / 100;
-  return {{"ms", {{"median", median(frames)}, {"min", sorted.front()}, {"max", sorted.back()}, {"p95", sorted[rank - 1]}}},
+  return {{"ms",
+           {{"median", median(frames)},
+            {"min", sorted.front()},
+            {"max", sorted.back()},
+            {"p95", sorted[rank - 1]}}},
           {"ms_per_pass", per_pass}};
 }
 
@@ -85,13 +94,17 @@ void capture(const Options& o) {
     throw Error(ExitCode::usage, "--samples", "must be from 1 to 4096");
   if (o.frames < 0) throw Error(ExitCode::usage, "--frames", "must be 0 or more");
   if (o.method.smith != "separable" && o.method.smith != "correlated")
-    throw Error(ExitCode::usage, "--smith", "'" + o.method.smith + "' is not known", "Choose separable or correlated.");
+    throw Error(ExitCode::usage, "--smith", "'" + o.method.smith + "' is not known",
+                "Choose separable or correlated.");
   const Size size = parse_size(o.scene.size);
   const frame::ToneMap tone_map = frame::parse_tone_map(o.tonemap);
 
   auto start = Clock::now();
   const scene::Scene scene = load_scene(o.scene);
   const double load_ms = ms_since(start);
+  for (const std::string& extension : scene::undrawn(scene))
+    note(o.scene.scene + ": " + extension
+         + " is read and not drawn yet: its materials are drawn without it");
   frame::FrameDesc desc{.width = size.width,
                         .height = size.height,
                         .samples = o.method.samples,
@@ -121,7 +134,8 @@ void capture(const Options& o) {
     }
   }
   image::Image picture = renderer.read();
-  if (std::filesystem::path(o.out).extension() == ".png") picture = frame::for_display(picture, o.exposure, tone_map);
+  if (std::filesystem::path(o.out).extension() == ".png")
+    picture = frame::for_display(picture, o.exposure, tone_map);
   nlohmann::json report = {{"device", device->info().name},
                            {"driver", device->info().driver},
                            {"backend", device->info().backend},
@@ -150,11 +164,14 @@ void add_capture(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("capture", "Draw a scene into a picture file");
   add_options(*command, options->scene);
-  command->add_option("-o,--output", options->out, "Picture to write: .png, .exr, .hdr or .pfm")->required();
+  command->add_option("-o,--output", options->out, "Picture to write: .png, .exr, .hdr or .pfm")
+      ->required();
   add_options(*command, options->device);
   add_options(*command, options->method);
-  command->add_option("--exposure", options->exposure, "Stops of brightness added for display (.png)");
-  command->add_option("--tonemap", options->tonemap, "none, neutral, aces or agx (.png)")->capture_default_str();
+  command->add_option("--exposure", options->exposure,
+                      "Stops of brightness added for display (.png)");
+  command->add_option("--tonemap", options->tonemap, "none, neutral, aces or agx (.png)")
+      ->capture_default_str();
   command->add_option("--frames", options->frames, "Time so many frames; see --json");
   command->add_option("--json", options->json, "Write device, sizes and times to this file");
   command->callback([options] { capture(*options); });

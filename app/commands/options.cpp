@@ -2,6 +2,8 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "scene/apply.h"
+#include "scene/framing.h"
 #include "scene/load.h"
 
 #include <CLI/CLI.hpp>
@@ -15,7 +17,8 @@ namespace {
 // The largest picture side: what OpenGL 4.5 and Vulkan 1.3 drivers in use offer as a texture.
 constexpr int largest_side = 16384;
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& remedy) {
+[[noreturn]] void refuse(const std::string& option, const std::string& text,
+                         const std::string& remedy) {
   throw Error(ExitCode::usage, option, "'" + text + "' is not understood", remedy);
 }
 
@@ -44,34 +47,19 @@ std::optional<glm::vec3> as_vec3(const std::string& text) {
   return v;
 }
 
-// A camera at `eye` that looks at `target`. Near and far from the scene's bounds.
-scene::Camera look_at(const scene::Scene& scene, glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up, float fovy) {
-  const glm::dvec3 back = eye - target;
-  if (!(glm::length(back) > 0.0))
-    throw Error(ExitCode::usage, "--eye", "is where --target is", "Move one of them.");
-  const glm::dvec3 z = glm::normalize(back);
-  if (!(glm::length(glm::cross(up, z)) > 0.0))
-    throw Error(ExitCode::usage, "--up", "points along the line of sight", "Give another direction, for example --up 0,0,1.");
-  const glm::dvec3 x = glm::normalize(glm::cross(up, z));
-  scene::Camera camera;
-  camera.name = "command line";
-  camera.world = glm::mat4(glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(glm::cross(z, x), 0.0), glm::dvec4(z, 0.0),
-                                      glm::dvec4(eye, 1.0)));
-  camera.fovy = fovy;
-  scene::set_depth_range(camera, scene.bounds);
-  return camera;
-}
-
 } // namespace
 
 void add_options(CLI::App& app, SceneOptions& o) {
   app.add_option("SCENE", o.scene, "A glTF 2.0 file, .gltf or .glb")->required();
-  app.add_option("--material", o.materials, "NAME=PRESET[,key=value...], * for every material; may be repeated")
+  app.add_option("--material", o.materials,
+                 "NAME=PRESET[,key=value...], * for every material; may be repeated")
       ->take_all()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--env", o.env, "Environment: an equirectangular .hdr or .exr, a colour R,G,B, or none");
-  app.add_option("--env-rotation", o.env_rotation, "Degrees about +Y, counter-clockwise seen from above");
+  app.add_option("--env", o.env,
+                 "Environment: an equirectangular .hdr or .exr, a colour R,G,B, or none");
+  app.add_option("--env-rotation", o.env_rotation,
+                 "Degrees about +Y, counter-clockwise seen from above");
   app.add_option("--env-intensity", o.env_intensity, "Factor on the environment's radiance");
   app.add_option("--size", o.size, "Width x height in pixels")->capture_default_str();
   app.add_option("--camera", o.camera, "A camera of the file, by name or index");
@@ -82,24 +70,29 @@ void add_options(CLI::App& app, SceneOptions& o) {
 }
 
 void add_options(CLI::App& app, DeviceOptions& o) {
-  app.add_option("--backend", o.backend, "opengl, vulkan, or auto: the first that works")->capture_default_str();
+  app.add_option("--backend", o.backend, "opengl, vulkan, or auto: the first that works")
+      ->capture_default_str();
   app.add_option("--surface", o.surface, "egl or osmesa (OpenGL only)");
   app.add_option("--device", o.device, "Index from `groundglass devices`");
 }
 
 void add_options(CLI::App& app, MethodOptions& o) {
   app.add_option("--method", o.method, "standard or lobes1")->capture_default_str();
-  app.add_option("--samples", o.samples, "Sub-pixel samples averaged: antialiasing")->capture_default_str();
-  app.add_option("--smith", o.smith, "Shadowing: separable (Walter 2007) or correlated")->capture_default_str();
+  app.add_option("--samples", o.samples, "Sub-pixel samples averaged: antialiasing")
+      ->capture_default_str();
+  app.add_option("--smith", o.smith, "Shadowing: separable (Walter 2007) or correlated")
+      ->capture_default_str();
   app.add_flag("--multiscatter", o.multiscatter, "Give back the energy of multiple scattering");
 }
 
 Size parse_size(const std::string& text) {
   const auto numbers = parse_numbers<int>(text, 'x');
-  if (!numbers || numbers->size() != 2) refuse("--size", text, "Write width x height in pixels: --size 1280x720.");
+  if (!numbers || numbers->size() != 2)
+    refuse("--size", text, "Write width x height in pixels: --size 1280x720.");
   for (const int side : *numbers)
     if (side < 1 || side > largest_side)
-      refuse("--size", text, "Each side goes from 1 to " + std::to_string(largest_side) + " pixels.");
+      refuse("--size", text,
+             "Each side goes from 1 to " + std::to_string(largest_side) + " pixels.");
   return {(*numbers)[0], (*numbers)[1]};
 }
 
@@ -111,58 +104,75 @@ glm::vec3 parse_vec3(const std::string& text, const std::string& option) {
 
 scene::Scene load_scene(const SceneOptions& options) {
   scene::Scene scene = scene::load(options.scene);
-  for (const std::string& material : options.materials) scene::apply_material(scene, material);
+  for (const std::string& material : options.materials)
+    scene::apply_material(scene, material);
   return scene;
 }
 
 scene::Camera choose_camera(const SceneOptions& options, const scene::Scene& scene, Size size) {
   constexpr float radians = 0.01745329252f;
   if (options.fovy && !(*options.fovy > 0.0f && *options.fovy < 180.0f))
-    refuse("--fovy", std::to_string(*options.fovy), "The angle is more than 0 and less than 180 degrees.");
+    refuse("--fovy", std::to_string(*options.fovy),
+           "The angle is more than 0 and less than 180 degrees.");
   if (!options.camera.empty() && !options.eye.empty())
     throw Error(ExitCode::usage, "--camera", "and --eye are both given", "Choose one.");
   if (!options.eye.empty()) {
-    const glm::vec3 target = options.target.empty() ? scene.bounds.empty() ? glm::vec3(0.0f) : scene.bounds.centre()
-                                                    : parse_vec3(options.target, "--target");
-    return look_at(scene, parse_vec3(options.eye, "--eye"), target, parse_vec3(options.up, "--up"),
-                   options.fovy.value_or(45.0f) * radians);
+    const glm::vec3 target = options.target.empty()
+                                 ? scene.bounds.empty() ? glm::vec3(0.0f) : scene.bounds.centre()
+                                 : parse_vec3(options.target, "--target");
+    return scene::look_at(scene, parse_vec3(options.eye, "--eye"), target,
+                          parse_vec3(options.up, "--up"), options.fovy.value_or(45.0f) * radians);
   }
   if (!options.target.empty())
-    throw Error(ExitCode::usage, "--target", "is given without --eye", "Say where the camera is: --eye X,Y,Z.");
-  scene::Camera camera = options.camera.empty()
-                             ? scene::default_camera(scene, static_cast<float>(size.width) / static_cast<float>(size.height))
-                             : scene::find_camera(scene, options.camera);
+    throw Error(ExitCode::usage, "--target", "is given without --eye",
+                "Say where the camera is: --eye X,Y,Z.");
+  scene::Camera camera = !options.camera.empty() ? scene::find_camera(scene, options.camera)
+                         : !scene.cameras.empty()
+                             ? scene.cameras.front()
+                             : scene::default_camera(scene, static_cast<float>(size.width)
+                                                                / static_cast<float>(size.height));
   if (options.fovy) camera.fovy = *options.fovy * radians;
   return camera;
 }
 
-std::optional<environment::Map> load_environment(const SceneOptions& options, const scene::Scene& scene) {
+std::optional<environment::Map> load_environment(const SceneOptions& options,
+                                                 const scene::Scene& scene) {
   if (!(options.env_intensity >= 0.0f) || !std::isfinite(options.env_intensity))
     refuse("--env-intensity", std::to_string(options.env_intensity), "It is a factor, 0 or more.");
   if (!std::isfinite(options.env_rotation))
     refuse("--env-rotation", std::to_string(options.env_rotation), "It is an angle in degrees.");
   if (options.env == "none") {
-    if (scene.lights.empty()) note(options.scene + ": has no lights and --env is none: only what emits light is seen");
+    if (scene.lights.empty())
+      note(options.scene + ": has no lights and --env is none: only what emits light is seen");
     return std::nullopt;
   }
   if (const auto color = as_vec3(options.env)) {
-    if (color->x < 0.0f || color->y < 0.0f || color->z < 0.0f) refuse("--env", options.env, "Radiance is not negative.");
+    if (color->x < 0.0f || color->y < 0.0f || color->z < 0.0f)
+      refuse("--env", options.env, "Radiance is not negative.");
     return environment::constant(*color);
   }
-  return environment::load(options.env.empty() ? home_directory() / "assets/environments/royal_esplanade_1k.hdr"
-                                               : std::filesystem::path(options.env));
+  return environment::load(options.env.empty()
+                               ? home_directory() / "assets/environments/royal_esplanade_1k.hdr"
+                               : std::filesystem::path(options.env));
 }
 
 std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options) {
   gpu::DeviceDesc desc{.device = options.device};
-  if (options.surface == "egl") desc.surface = gpu::Surface::egl;
-  else if (options.surface == "osmesa") desc.surface = gpu::Surface::osmesa;
-  else if (!options.surface.empty()) refuse("--surface", options.surface, "The surfaces are egl and osmesa.");
-  if (options.backend == "opengl") desc.backend = gpu::Backend::opengl;
-  else if (options.backend == "vulkan") desc.backend = gpu::Backend::vulkan;
-  else if (options.backend != "auto") refuse("--backend", options.backend, "The backends are opengl, vulkan and auto.");
+  if (options.surface == "egl")
+    desc.surface = gpu::Surface::egl;
+  else if (options.surface == "osmesa")
+    desc.surface = gpu::Surface::osmesa;
+  else if (!options.surface.empty())
+    refuse("--surface", options.surface, "The surfaces are egl and osmesa.");
+  if (options.backend == "opengl")
+    desc.backend = gpu::Backend::opengl;
+  else if (options.backend == "vulkan")
+    desc.backend = gpu::Backend::vulkan;
+  else if (options.backend != "auto")
+    refuse("--backend", options.backend, "The backends are opengl, vulkan and auto.");
   if (desc.backend == gpu::Backend::vulkan && !options.surface.empty())
-    throw Error(ExitCode::usage, "--surface", "is OpenGL's business", "Leave it out with --backend vulkan.");
+    throw Error(ExitCode::usage, "--surface", "is OpenGL's business",
+                "Leave it out with --backend vulkan.");
   if (options.backend != "auto") return gpu::create_device(desc);
   try {
     desc.backend = gpu::Backend::vulkan;
@@ -177,7 +187,8 @@ std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options) {
 frame::Method parse_method(const std::string& text) {
   if (text == "standard") return frame::Method::standard;
   if (text == "lobes1") return frame::Method::lobes1;
-  if (text == "lobes2" || text == "lobes3" || text == "lobes4" || text.starts_with("fis") || text == "auto")
+  if (text == "lobes2" || text == "lobes3" || text == "lobes4" || text.starts_with("fis")
+      || text == "auto")
     throw Error(ExitCode::unsupported, "--method", "'" + text + "' is not available yet",
                 "Available: standard, lobes1.");
   refuse("--method", text, "The methods are standard and lobes1.");

@@ -42,6 +42,31 @@ int value_of(const FeatureKey& key, Feature feature) {
   return key[static_cast<std::size_t>(feature)];
 }
 
+// The inputs of stages/opaque.vert that are left when it is specialised, each from a vertex buffer
+// of its own, as glTF's streams are separate.
+struct Input {
+  int location, components;
+};
+std::vector<Input> attributes_of(const FeatureKey& key) {
+  std::vector<Input> inputs{{position_location, 3}, {normal_location, 3}};
+  if (value_of(key, Feature::normal_map) > 0) inputs.push_back({tangent_location, 4});
+  if (value_of(key, Feature::vertex_color) > 0) inputs.push_back({color_location, 4});
+  for (int k = 0; k < value_of(key, Feature::uv_sets); ++k)
+    inputs.push_back({uv_location + k, 2});
+  return inputs;
+}
+
+// The streams that feed them, in the same order.
+std::vector<scene::Index> streams_of(const FeatureKey& key, const scene::Primitive& p,
+                                     const std::vector<int>& uv_sets) {
+  std::vector<scene::Index> streams{p.positions, p.normals};
+  if (value_of(key, Feature::normal_map) > 0) streams.push_back(p.tangents);
+  if (value_of(key, Feature::vertex_color) > 0) streams.push_back(p.colors);
+  for (const int set : uv_sets)
+    streams.push_back(p.uvs[static_cast<std::size_t>(set)]);
+  return streams;
+}
+
 } // namespace
 
 struct Renderer::Draw {
@@ -50,8 +75,8 @@ struct Renderer::Draw {
   std::size_t material_index, instance_index;
   FeatureKey key;
   gpu::PipelineRef pipeline;
-  double distance; // from the eye, of the centre of its bounds: for order
-  std::vector<int> uv_sets;
+  double distance;                   // from the eye, of the centre of its bounds: for order
+  std::vector<scene::Index> streams; // one per vertex binding
   struct Map {
     const char* name;
     UploadedTexture texture;
@@ -132,7 +157,7 @@ void Renderer::make_draws() {
       draw.pipeline = pipeline(draw.key, blended);
       const glm::vec3 centre(instance.world * glm::vec4(primitive.bounds.centre(), 1.0f));
       draw.distance = glm::dot(centre - eye, forward);
-      draw.uv_sets = uv_sets_of(*draw.material, primitive);
+      draw.streams = streams_of(draw.key, primitive, uv_sets_of(*draw.material, primitive));
       for (const MapName& map : maps)
         if (value_of(draw.key, map.feature) > 0)
           draw.maps.push_back(
@@ -162,18 +187,12 @@ gpu::PipelineRef Renderer::pipeline(const FeatureKey& key, bool blended) {
                          .depth = depth_format,
                          .depth_write = !blended,
                          .blend = blended ? gpu::Blend::over : gpu::Blend::none};
-  const auto attribute = [&](int location, int components) {
-    desc.attributes.push_back(
-        {.location = location, .components = components, .binding = location});
-    desc.bindings.resize(static_cast<std::size_t>(location) + 1);
-    desc.bindings.back().stride = static_cast<std::uint32_t>(components) * 4u;
-  };
-  attribute(position_location, 3);
-  attribute(normal_location, 3);
-  if (value_of(key, Feature::normal_map) > 0) attribute(tangent_location, 4);
-  if (value_of(key, Feature::vertex_color) > 0) attribute(color_location, 4);
-  for (int k = 0; k < value_of(key, Feature::uv_sets); ++k)
-    attribute(uv_location + k, 2);
+  for (const auto& [location, components] : attributes_of(key)) {
+    desc.attributes.push_back({.location = location,
+                               .components = components,
+                               .binding = static_cast<int>(desc.bindings.size())});
+    desc.bindings.push_back({.stride = static_cast<std::uint32_t>(components) * 4u});
+  }
   found = device_.create(desc);
   return found;
 }
@@ -187,15 +206,8 @@ void Renderer::record(gpu::Encoder& encoder, const Draw& draw) const {
                  instances.size);
   encoder.buffer("Material", materials.buffer, materials.offset(draw.material_index),
                  materials.size);
-  encoder.vertices(position_location, uploaded_.stream(p.positions));
-  encoder.vertices(normal_location, uploaded_.stream(p.normals));
-  if (value_of(draw.key, Feature::normal_map) > 0)
-    encoder.vertices(tangent_location, uploaded_.stream(p.tangents));
-  if (value_of(draw.key, Feature::vertex_color) > 0)
-    encoder.vertices(color_location, uploaded_.stream(p.colors));
-  for (std::size_t k = 0; k < draw.uv_sets.size(); ++k)
-    encoder.vertices(uv_location + static_cast<int>(k),
-                     uploaded_.stream(p.uvs[static_cast<std::size_t>(draw.uv_sets[k])]));
+  for (std::size_t k = 0; k < draw.streams.size(); ++k)
+    encoder.vertices(static_cast<int>(k), uploaded_.stream(draw.streams[k]));
   for (const Draw::Map& map : draw.maps)
     encoder.texture(map.name, map.texture.view, map.texture.sampler);
   encoder.cull(draw.both_sides ? gpu::Cull::none : gpu::Cull::back);

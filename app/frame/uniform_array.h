@@ -15,17 +15,14 @@ struct UniformArray {
   std::size_t offset(std::size_t i) const { return i * stride; }
 };
 
-// The largest alignment of a uniform buffer's offset that OpenGL and Vulkan implementations may ask
-// for (minUniformBufferOffsetAlignment is at most 256).
-inline constexpr std::size_t uniform_alignment = 256;
-
 // `values` may be empty: the buffer then holds one element of zeros.
 template <class T>
 UniformArray upload_uniforms(gpu::Device& device, const std::string& label,
                              const std::vector<T>& values) {
   UniformArray array;
   array.size = sizeof(T);
-  array.stride = (sizeof(T) + uniform_alignment - 1) / uniform_alignment * uniform_alignment;
+  array.stride =
+      (sizeof(T) + gpu::block_alignment - 1) / gpu::block_alignment * gpu::block_alignment;
   std::vector<std::byte> padded(array.stride * std::max<std::size_t>(values.size(), 1));
   for (std::size_t i = 0; i < values.size(); ++i)
     std::memcpy(&padded[array.offset(i)], &values[i], sizeof(T));

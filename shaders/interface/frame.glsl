@@ -2,12 +2,13 @@
 // Layout   only vec4, ivec4 and mat4, so that std140 and C++ agree without padding rules.
 
 struct FrameData {
-    mat4 clipFromWorld;     // with this sample's sub-pixel offset
-    mat4 worldFromClip;     // its inverse: sky directions
-    vec4 eye;               // xyz: the camera's position, metres; w: 1, or 0 for an orthographic camera
-    vec4 viewDirection;     // xyz: unit, where an orthographic camera looks
-    vec4 environment;       // x, y: cosine and sine of the rotation about +Y; z: intensity; w: radiance of one stored unit
-    ivec4 counts;           // x: punctual lights
+    mat4 clipFromWorld; // with this sample's sub-pixel offset
+    mat4 worldFromClip; // its inverse: sky directions
+    vec4 eye;           // xyz: the camera's position, metres; w: 1, or 0 for an orthographic camera
+    vec4 viewDirection; // xyz: unit, where an orthographic camera looks
+    vec4 environment;   // x, y: cosine and sine of its rotation about +Y; z: intensity
+    vec4 stack;         // the Gaussian stack's shape (environment/gaussian_stack.glsl)
+    ivec4 counts;       // x: punctual lights
 };
 
 #ifndef __cplusplus

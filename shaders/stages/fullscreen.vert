@@ -4,6 +4,6 @@
 layout(location = 0) out vec2 outClip; // clip-space x, y
 
 void main() {
-    outClip = vec2(vertexIndex == 1 ? 3.0 : -1.0, vertexIndex == 2 ? 3.0 : -1.0);
+    outClip = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
     gl_Position = vec4(outClip, 0.0, 1.0);
 }

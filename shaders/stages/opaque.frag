@@ -17,6 +17,7 @@ layout(location = 0) out vec4 outColor; // premultiplied where blended
 #include "stages/surface.glsl"
 #include "stages/reflectance.glsl"
 #include "stages/punctual_lights.glsl"
+#include "stages/environment.glsl"
 #include "stages/environment_light.glsl"
 
 void main() {

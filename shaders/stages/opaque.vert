@@ -29,7 +29,12 @@ void main() {
     outTangent = vec4(0.0);
     if (normalMapUv > 0)
         outTangent = vec4(mat3(instance.worldFromMesh) * inTangent.xyz, inTangent.w * instance.normalFromMesh[3][3]);
-    outColor = hasVertexColor ? inColor : vec4(1.0);
-    outUv01 = vec4(uvSets > 0 ? inUv0 : vec2(0.0), uvSets > 1 ? inUv1 : vec2(0.0));
-    outUv23 = vec4(uvSets > 2 ? inUv2 : vec2(0.0), uvSets > 3 ? inUv3 : vec2(0.0));
+    outColor = vec4(1.0);
+    if (hasVertexColor) outColor = inColor;
+    outUv01 = vec4(0.0);
+    outUv23 = vec4(0.0);
+    if (uvSets > 0) outUv01.xy = inUv0;
+    if (uvSets > 1) outUv01.zw = inUv1;
+    if (uvSets > 2) outUv23.xy = inUv2;
+    if (uvSets > 3) outUv23.zw = inUv3;
 }

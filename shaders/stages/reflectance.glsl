@@ -6,6 +6,7 @@
 #include "bsdf/fresnel_dielectric.glsl"
 #include "bsdf/fresnel_schlick.glsl"
 #include "bsdf/ggx.glsl"
+#include "bsdf/multiple_scattering.glsl"
 #include "bsdf/phong.glsl"
 #include "bsdf/reflection.glsl"
 

@@ -1,0 +1,58 @@
+// environment_light.glsl: what a surface makes of light from all around, by one lookup of the Gaussian stack and one of the
+// irradiance. Reflection: energy times the stack in the lobe's direction at its width. Diffuse: glTF's base under it.
+// Needs    stages/reflectance.glsl, stages/environment.glsl.
+// Source   DESIGN.md, "The idea"; environment/lobe_table.glsl; [KullaConty17] for --multiscatter.
+#include "environment/lobe_table_fetch.glsl"
+
+layout(binding = 19) uniform sampler2D energyTable;
+layout(binding = 20) uniform sampler3D lobeTable;
+
+// The material's reflectance at an angle and at normal incidence; the diffuse base takes what the dielectric part leaves.
+vec3 materialFresnel(Surface s, float c) {
+    if (shading == 4) return fresnelConductorRgb(c, material.conductorN.xyz, material.conductorK.xyz);
+    if (shading == 2) return fresnelSchlickRgb(c, s.baseColor);
+    vec3 dielectric = dielectricFresnel(s, c);
+    return shading == 3 ? mix(dielectric, fresnelSchlickRgb(c, s.baseColor), s.metallic) : dielectric;
+}
+
+float meanOf(vec3 color) { return (color.x + color.y + color.z) / 3.0; }
+
+// The mean over the hemisphere of a lossless surface's albedo, 2 int E(c) c dc, by Gauss-Jacobi quadrature with two nodes
+// (weight c on [0, 1]; exact for cubics).
+float meanAlbedo(float alpha) {
+    float a = fetchLobeEnergy(energyTable, 0.355051, alpha).albedo;
+    float b = fetchLobeEnergy(energyTable, 0.844949, alpha).albedo;
+    return 0.363917 * a + 0.636083 * b;
+}
+
+// The part of the material that is metal: only metals keep the light that bounces between facets outside.
+vec3 multiplyScattered(Surface s, float albedo, vec3 meanFresnel) {
+    float metal = shading == 2 || shading == 4 ? 1.0 : shading == 3 ? s.metallic : 0.0;
+    return metal * (1.0 - albedo) * multipleFresnelRgb(meanFresnel, meanAlbedo(s.alpha));
+}
+
+vec3 environmentLight(Surface s) {
+    float cosO = dot(s.n, s.wo);
+    LobeEnergy energy = fetchLobeEnergy(energyTable, cosO, s.alpha);
+    vec3 reflectance = lobeMeanRgb(energy, materialFresnel(s, energy.cos1), materialFresnel(s, energy.cos2));
+
+    LobeTap tap;
+    if (method == 0) tap = fetchStandardTap(lobeTable, s.wo, s.n, s.alpha);
+    else tap = fetchLobeTap(lobeTable, s.wo, s.n, s.alpha, edgeShare(meanOf(materialFresnel(s, 1.0)), meanOf(reflectance)));
+    vec3 radiance = energy.albedo * reflectance *
+                    environmentRadiance(stackEven, stackOdd, frame.stack, inEnvironment(tap.direction), tap.sigma);
+
+    bool hasBase = shading == 1 || shading == 3;
+    if (hasBase || multipleScattering) {
+        vec3 around = environmentIrradiance(irradianceCube, frame.stack, inEnvironment(s.n));
+        if (hasBase) {
+            vec3 angles = diffuseAngles(cosO);
+            vec3 fresnel = mix(dielectricFresnel(s, angles.y), dielectricFresnel(s, angles.x), angles.z);
+            float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
+            float base = shading == 3 ? 1.0 - s.metallic : 1.0;
+            radiance += base * under * s.baseColor * around;
+        }
+        if (multipleScattering) radiance += multiplyScattered(s, energy.albedo, reflectance) * around;
+    }
+    return s.occlusion * frame.environment.z * radiance;
+}

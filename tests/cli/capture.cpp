@@ -1,0 +1,162 @@
+// groundglass capture as a user meets it: what it writes, and what it says when it cannot.
+#include "cli/program.h"
+#include "image/image.h"
+#include "support/scratch.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+namespace gg::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string suzanne = asset("scenes/Suzanne/Suzanne.gltf");
+const std::string sky = asset("environments/studio_small_03_1k.hdr");
+
+std::string bytes(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// Every complaint names what it is about, and leaves nothing behind.
+void expect_refusal(const std::vector<std::string>& arguments, int code,
+                    const std::string& naming) {
+  const fs::path directory = scratch_directory();
+  const Finished f = run_program(arguments);
+  EXPECT_EQ(f.code, code) << f.err;
+  EXPECT_NE(f.err.find(naming), std::string::npos)
+      << "says: " << f.err << "\nshould name: " << naming;
+  for (const auto& entry : fs::directory_iterator(directory))
+    EXPECT_TRUE(entry.path().filename() == "stdout.txt" || entry.path().filename() == "stderr.txt"
+                || entry.path().stem() == "input")
+        << "left behind: " << entry.path();
+}
+
+std::string out(const char* name) {
+  return scratch_directory() / name;
+}
+
+} // namespace
+
+TEST(capture, draws_a_real_model_under_a_real_sky_and_reports_what_it_took) {
+  const Finished f =
+      run_program({"capture", suzanne, "-o", out("suzanne.exr"), "--env", sky, "--size", "160x90",
+                   "--samples", "2", "--frames", "3", "--json", out("suzanne.json")});
+  ASSERT_EQ(f.code, 0) << f.err;
+  const image::Image picture = image::read(out("suzanne.exr"));
+  EXPECT_EQ(picture.width, 160);
+  EXPECT_EQ(picture.height, 90);
+  const auto json = nlohmann::json::parse(bytes(out("suzanne.json")));
+  EXPECT_EQ(json.at("triangles"), 3936);
+  EXPECT_EQ(json.at("width"), 160);
+  EXPECT_EQ(json.at("backend"), "opengl");
+  EXPECT_GT(json.at("bytes"), 0);
+  EXPECT_GT(json.at("ms").at("median"), 0.0);
+  EXPECT_LE(json.at("ms").at("min"), json.at("ms").at("median"));
+  EXPECT_LE(json.at("ms").at("median"), json.at("ms").at("p95"));
+  EXPECT_LE(json.at("ms").at("p95"), json.at("ms").at("max"));
+  for (const auto& label : json.at("passes"))
+    EXPECT_TRUE(json.at("ms_per_pass").contains(label)) << label;
+}
+
+TEST(capture, same_command_writes_the_same_bytes) {
+  for (const char* extension : {".png", ".exr", ".hdr", ".pfm"}) {
+    const std::string a = out("a") + extension, b = out("b") + extension;
+    for (const std::string& path : {a, b})
+      ASSERT_EQ(run_program({"capture", suzanne, "-o", path, "--env", sky, "--size", "64x48",
+                             "--samples", "2"})
+                    .code,
+                0);
+    EXPECT_EQ(bytes(a), bytes(b)) << extension;
+    EXPECT_FALSE(bytes(a).empty());
+  }
+}
+
+TEST(capture, exposure_and_tone_map_change_the_png_and_not_the_radiance) {
+  const auto shot = [](const char* name, std::vector<std::string> more) {
+    std::vector<std::string> words{"capture", suzanne,  "-o",    out(name),   "--env",
+                                   sky,       "--size", "64x48", "--samples", "1"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(run_program(words).code, 0);
+    return bytes(out(name));
+  };
+  const std::string plain = shot("plain.exr", {});
+  EXPECT_EQ(plain, shot("bright.exr", {"--exposure", "2"}));
+  EXPECT_NE(shot("plain.png", {}), shot("bright.png", {"--exposure", "2"}));
+  EXPECT_NE(shot("neutral.png", {"--tonemap", "neutral"}), shot("agx.png", {"--tonemap", "agx"}));
+}
+
+TEST(capture, names_what_is_wrong_with_its_options) {
+  const std::string png = out("picture.png");
+  expect_refusal({"capture", suzanne}, 2, "--output");
+  expect_refusal({"capture", suzanne, "-o", out("picture.gif")}, 2, "picture.gif");
+  expect_refusal({"capture", suzanne, "-o", png, "--size", "12by9"}, 2, "--size");
+  expect_refusal({"capture", suzanne, "-o", png, "--size", "0x9"}, 2, "--size");
+  expect_refusal({"capture", suzanne, "-o", png, "--size", "99999x9"}, 2, "16384");
+  expect_refusal({"capture", suzanne, "-o", png, "--samples", "0"}, 2, "--samples");
+  expect_refusal({"capture", suzanne, "-o", png, "--method", "guess"}, 2, "guess");
+  expect_refusal({"capture", suzanne, "-o", png, "--tonemap", "film"}, 2, "film");
+  expect_refusal({"capture", suzanne, "-o", png, "--smith", "john"}, 2, "john");
+  expect_refusal({"capture", suzanne, "-o", png, "--camera", "left"}, 2, "left");
+  expect_refusal({"capture", suzanne, "-o", png, "--camera", "7"}, 2, "7");
+  expect_refusal({"capture", suzanne, "-o", png, "--eye", "1,2"}, 2, "--eye");
+  expect_refusal({"capture", suzanne, "-o", png, "--eye", "1,2,nan"}, 2, "--eye");
+  expect_refusal({"capture", suzanne, "-o", png, "--eye", "0,0,0", "--target", "0,0,0"}, 2,
+                 "--eye");
+  expect_refusal({"capture", suzanne, "-o", png, "--fovy", "180"}, 2, "--fovy");
+  expect_refusal({"capture", suzanne, "-o", png, "--env-intensity", "-1"}, 2, "--env-intensity");
+  expect_refusal({"capture", suzanne, "-o", png, "--material", "*=unobtainium"}, 2, "unobtainium");
+  expect_refusal({"capture", suzanne, "-o", png, "--material", "no such=gold"}, 2, "no such");
+  expect_refusal({"capture", suzanne, "-o", png, "--backend", "metal"}, 2, "metal");
+  expect_refusal({"capture", suzanne, "-o", png, "--surface", "paper"}, 2, "paper");
+  expect_refusal({"capture", suzanne, "-o", png, "--device", "99"}, 6, "99");
+  expect_refusal({"capture", suzanne, "-o", png, "--frobnicate"}, 2, "frobnicate");
+  expect_refusal({"paint"}, 2, "paint");
+}
+
+TEST(capture, names_the_file_that_it_cannot_read_or_write) {
+  const std::string png = out("picture.png");
+  expect_refusal({"capture", "/no/such/model.glb", "-o", png}, 3, "/no/such/model.glb");
+  expect_refusal({"capture", suzanne, "-o", png, "--env", "/no/such/sky.hdr"}, 3,
+                 "/no/such/sky.hdr");
+  expect_refusal({"capture", suzanne, "-o", png, "--env", suzanne}, 3, "Suzanne.gltf");
+  expect_refusal({"capture", sky, "-o", png}, 3, "studio_small_03_1k.hdr");
+  expect_refusal({"capture", suzanne, "-o", "/no/such/directory/picture.png"}, 5,
+                 "/no/such/directory/picture.png");
+  expect_refusal({"capture", suzanne, "-o", png, "--json", "/no/such/directory/times.json"}, 5,
+                 "/no/such/directory/times.json");
+}
+
+TEST(capture, a_missing_driver_is_a_message_and_not_a_crash) {
+  const Finished f =
+      run_program({"capture", suzanne, "-o", out("picture.png"), "--surface", "osmesa"},
+                  {"LD_LIBRARY_PATH=/nonexistent", "LIBGL_DRIVERS_PATH=/nonexistent",
+                   "GALLIUM_DRIVER=nonexistent"});
+  if (f.code != 0) { // a system may still find another driver
+    EXPECT_EQ(f.code, 6) << f.err;
+    EXPECT_FALSE(f.err.empty());
+  }
+}
+
+TEST(commands, that_are_promised_and_not_there_yet_say_so_and_fail) {
+  for (const char* name : {"report", "needs", "view", "snippet"}) {
+    const Finished f = run_program({name, "anything"});
+    EXPECT_EQ(f.code, 4) << name;
+    EXPECT_NE(f.err.find(name), std::string::npos);
+  }
+}
+
+TEST(commands, help_lists_every_command_and_exits_with_0) {
+  const Finished f = run_program({"--help"});
+  EXPECT_EQ(f.code, 0);
+  for (const char* name : {"capture", "compare", "devices", "eval", "figures", "tables", "truth",
+                           "report", "needs", "view", "snippet"})
+    EXPECT_NE(f.out.find(name), std::string::npos) << name;
+  EXPECT_EQ(run_program({"--version"}).code, 0);
+}
+
+} // namespace gg::test
