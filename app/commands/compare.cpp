@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace gg::commands {
 namespace {
@@ -174,12 +175,14 @@ void run(const Options& options) {
   const Picture& with_names = reference.id.empty() ? test : reference;
   const std::vector<Column> table = columns(comparison, with_names);
   const std::vector<std::string> lines = remarks(table, comparison);
-  if (!options.map.empty()) write_map(options, comparison);
+  // Both or neither: the map is written while the other file is complete but not yet in place.
+  std::optional<OutputFile> numbers;
   if (!options.json_file.empty()) {
-    OutputFile file(options.json_file);
-    file.write(to_json(options, comparison, with_names, lines).dump(2) + "\n");
-    file.commit();
+    numbers.emplace(options.json_file);
+    numbers->write(to_json(options, comparison, with_names, lines).dump(2) + "\n");
   }
+  if (!options.map.empty()) write_map(options, comparison);
+  if (numbers) numbers->commit();
   print_table(table);
   for (const std::string& line : lines)
     fmt::print("{}\n", line);
@@ -200,7 +203,12 @@ void add_compare(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--objects", options->objects, "Only these object ids (1,2,...)")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber);
+      ->check([](const std::string& text) {
+        const bool whole = !text.empty() && text.size() < 8
+                           && text.find_first_not_of("0123456789") == std::string::npos;
+        return whole && std::stoi(text) > 0 ? ""
+                                            : "Object ids are whole numbers from 1, not " + text;
+      });
   command->add_option("--json", options->json_file, "Write the numbers as JSON");
   command->callback([options] { run(*options); });
 }
