@@ -10,6 +10,7 @@
 #include <glm/vec4.hpp>
 
 #include <cmath>
+#include <type_traits>
 
 namespace gg::glsl::f64 {
 using Real = double;

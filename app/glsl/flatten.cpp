@@ -98,6 +98,15 @@ bool is_fetch(const fs::path& file) {
   return file.stem().string().ends_with("_fetch");
 }
 
+std::string essl_prelude() {
+  std::string text = "#version 300 es\n";
+  for (const char* type :
+       {"float", "int", "sampler2D", "sampler3D", "samplerCube", "sampler2DArray",
+        "sampler2DShadow", "samplerCubeShadow", "sampler2DArrayShadow"})
+    text += std::string("precision highp ") + type + ";\n";
+  return text;
+}
+
 std::vector<std::string> include_guards(const std::string& text) {
   std::vector<std::string> guards;
   std::istringstream lines(text);

@@ -13,8 +13,10 @@ using mat2 = glm::mat<2, 2, Real>;
 using mat3 = glm::mat<3, 3, Real>;
 using mat4 = glm::mat<4, 4, Real>;
 using uint = unsigned int;
+// What <cmath> computes in: Real itself, or float where Real is a class (half precision in the tests).
+using Wide = std::conditional_t<std::is_floating_point_v<Real>, Real, float>;
 
-// One argument, component by component. GG_STD takes the function from <cmath>, or beside Real's own class.
+// One argument, component by component. GG_STD takes the function from <cmath>.
 #define GG_EACH(name)                                                                              \
   template <glm::length_t N>                                                                       \
   inline glm::vec<N, Real> name(const glm::vec<N, Real>& v) {                                      \
@@ -23,10 +25,7 @@ using uint = unsigned int;
     return r;                                                                                      \
   }
 #define GG_STD(name)                                                                               \
-  inline Real name(Real x) {                                                                       \
-    using std::name;                                                                               \
-    return Real(name(x));                                                                          \
-  }                                                                                                \
+  inline Real name(Real x) { return Real(std::name(Wide(x))); }                                    \
   GG_EACH(name)
 #define GG_OWN(name, expression)                                                                   \
   inline Real name(Real x) { return Real(expression); }                                            \
@@ -59,14 +58,8 @@ GG_OWN(fract, x - floor(x))
 #undef GG_STD
 #undef GG_EACH
 
-inline Real real_pow(Real x, Real y) {
-  using std::pow;
-  return Real(pow(x, y));
-}
-inline Real real_atan2(Real y, Real x) {
-  using std::atan2;
-  return Real(atan2(y, x));
-}
+inline Real real_pow(Real x, Real y) { return Real(std::pow(Wide(x), Wide(y))); }
+inline Real real_atan2(Real y, Real x) { return Real(std::atan2(Wide(y), Wide(x))); }
 
 // Two arguments, the second also as one scalar for all components.
 #define GG_BINARY(name, expression)                                                                \

@@ -4,7 +4,8 @@
 // Returns  beckmannD: 1/sr. beckmannG1 (Walter's rational fit), beckmannG2 (separable): [0, 1]. beckmannV: G2 /
 //          (4 |wi.n| |wo.n|), finite. beckmannPdf: 1/sr. beckmannSample: unit wm, for u in [0, 1)².
 // Source   [Walter07] eq. 25-29; the exact G1 is in beckmann_exact.glsl.
-// Limits   the rational G1 is within 0.0032 of the exact one; it exceeds 1 by up to 6e-5 just before a = 1.6, where it is cut.
+// Limits   the rational G1 is within 0.0032 of the exact one; it exceeds 1 by up to 7e-5 just before a = 1.6, where
+//          it is cut.
 #ifndef GG_BSDF_BECKMANN_GLSL
 #define GG_BSDF_BECKMANN_GLSL
 

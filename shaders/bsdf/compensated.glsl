@@ -3,14 +3,15 @@
 //          the result is for their normalised selves. Zero vectors give exists = false.
 // alpha    none. eta = n_far / n_known, far = wi's side, known = wo's side; 0 stands for a metal.
 // Returns  preciseReflectionFacet, preciseTransmissionFacet: a Facet whose every number is right to a few ulp.
-// Source   [Walter07] eq. 13, 16; the arithmetic is twin.glsl's.
-// Limits   about ten times the arithmetic of the plain facet (numbers in shaders/README.md). Worth it offline, in proofs, and
-//          for mirrors at grazing angles; a picture does not show the difference. See twin.glsl for ES 3.00.
+// Source   [Walter07] eq. 13, 16; the arithmetic is twin.glsl's and twin_vector.glsl's.
+// Limits   about ten times the arithmetic of the plain facet (numbers in shaders/README.md). Worth it offline, in
+//          proofs, and for mirrors at grazing angles; a picture does not show the difference. See twin.glsl for ES
+//          3.00.
 #ifndef GG_BSDF_COMPENSATED_GLSL
 #define GG_BSDF_COMPENSATED_GLSL
 
 #include "bsdf/half_vector.glsl"
-#include "bsdf/twin.glsl"
+#include "bsdf/twin_vector.glsl"
 
 // A direction against n: p = |v x n|², z = v . n with its sign.
 struct SignedTilt {
@@ -33,8 +34,8 @@ Tilt unsignedTilt(SignedTilt signedTilt) {
   return t;
 }
 
-// The half-vector against n, on the scale of z = 1, so that its tan² is p, rounded once: the exponentials of Beckmann and
-// Phong multiply each rounding by up to 70 in their tails. z is 0 for a facet on the horizon.
+// The half-vector against n, on the scale of z = 1, so that its tan² is p, rounded once: the exponentials of Beckmann
+// and Phong multiply each rounding by up to 70 in their tails. z is 0 for a facet on the horizon.
 Tilt preciseSlope(Twin3 h, Twin3 n, Twin z) {
   Twin3 across = twinCross(h, n);
   Tilt t;

@@ -1,6 +1,7 @@
 // fresnel_conductor.glsl: Fresnel's equations at an absorbing medium of complex index n + i k, exact.
 // Frame    none; c = |wo . wm| in [0, 1] (clamped).
-// alpha    none. n >= 0, k >= 0: real and imaginary part of the metal's index over the outer medium's, per colour channel.
+// alpha    none. n >= 0, k >= 0: real and imaginary part of the metal's index over the outer medium's, per colour
+//          channel.
 // Returns  fresnelConductor: reflectance F in [0, 1], unpolarised; fresnelConductorRgb: three channels;
 //          fresnelAbsorbed: 1 - F without the subtraction.
 // Source   [BornWolf99] 14.2 eq. 11-15, in the smaller-part form below.
@@ -50,7 +51,8 @@ float fresnelConductor(float cosTheta, float n, float k) {
   return min(0.5 * rs * (1.0 + rpOverRs), 1.0);
 }
 
-// What the metal absorbs. 1 - Rs = 4 a c / denS and 1 - Rp = 4 a c (|q|² + sin²) / (denS denP), by expanding the squares.
+// What the metal absorbs. 1 - Rs = 4 a c / denS and 1 - Rp = 4 a c (|q|² + sin²) / (denS denP), by expanding the
+// squares.
 float fresnelAbsorbed(float cosTheta, float n, float k) {
   float c = clamp(abs(cosTheta), 0.0, 1.0);
   ConductorTerms t = conductorTerms(c, max(n, 0.0), max(k, 0.0));

@@ -1,9 +1,9 @@
 // fresnel_dielectric.glsl: Fresnel's equations at an interface between two clear media, exact.
 // Frame    none; c = |wo . wm| in [0, 1] (clamped), the cosine on the known side.
 // alpha    none. eta = n_far / n_known > 0; 1 returns F = 0, 0 or less is opaque and returns F = 1.
-// Returns  fresnelG: eta times the far cosine, 0 past the critical angle. fresnelDielectric: reflectance F in [0, 1] for
-//          unpolarised light; fresnelTransmitted: 1 - F without the subtraction; fresnelPolarized: reflectances of
-//          the two polarisations. The ...At forms take only the angle and the index.
+// Returns  fresnelG: eta times the far cosine, 0 past the critical angle. fresnelDielectric: reflectance F in [0, 1]
+//          for unpolarised light; fresnelTransmitted: 1 - F without the subtraction; fresnelPolarized: reflectances
+//          of the two polarisations. The ...At forms take only the angle and the index.
 // Source   [Walter07] eq. 22, factored; [BornWolf99] 1.5.2.
 // Limits   no absorption, no interference, no phase. Near the critical angle F has a square-root edge: half an ulp of c
 //          there is 2e-4 of F in float32, whatever the formula.
@@ -21,9 +21,9 @@ float fresnelG(float c, float eta) {
   return sqrt(max((eta - 1.0) * (eta + 1.0) + c * c, 0.0));
 }
 
-// rs = (c - g) / (c + g) with (c - g)(c + g) = 1 - eta² =: -K, and rp = rs cos(i + t) / cos(i - t): neither subtracts what
-// is nearly equal, but for c g - sin² at Brewster's angle, where rp is to vanish. sin² comes from the rarer side, where it
-// is larger: (1 - c)(1 + c) of the known side keeps few digits where all angles are small, at eta < 1.
+// rs = (c - g) / (c + g) with (c - g)(c + g) = 1 - eta² =: -K, and rp = rs cos(i + t) / cos(i - t): neither subtracts
+// what is nearly equal, but for c g - sin² at Brewster's angle, where rp is to vanish. sin² comes from the rarer
+// side, where it is larger: (1 - c)(1 + c) of the known side keeps few digits where all angles are small, at eta < 1.
 Polarized fresnelPolarized(float c, float g, float eta) {
   Polarized r;
   r.s = eta == 1.0 ? 0.0 : 1.0;

@@ -4,7 +4,7 @@
 // Returns  fresnelSchlick, fresnelSchlickRgb: reflectance in [f0, 1].
 // Source   [Schlick94] eq. 15.
 // Limits   knows no polarisation, no total reflection and no Brewster angle. Worst absolute error against the exact
-//          mean: 0.036 for eta 1.5, 0.211 for eta 1.1, 0.074 for eta 2.4, all near 84 degrees (tests/bsdf holds them).
+//          mean: 0.036 for eta 1.5, 0.210 for eta 1.1, 0.074 for eta 2.4, all near 84 degrees (tests/bsdf holds them).
 #ifndef GG_BSDF_FRESNEL_SCHLICK_GLSL
 #define GG_BSDF_FRESNEL_SCHLICK_GLSL
 

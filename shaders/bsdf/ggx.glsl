@@ -26,7 +26,8 @@ float ggxD(Tilt m, float alpha) {
 // sqrt(z² + alpha² p) of a direction: (1 + 2 Lambda) z without the division.
 float ggxRoot(Tilt w, float alpha) { return sqrt(w.z * w.z + alpha * alpha * w.p); }
 
-// Lambda = (sqrt(1 + alpha² tan²) - 1) / 2, its subtraction expanded. Unbounded towards the horizon; there (z = 0) 1e30.
+// Lambda = (sqrt(1 + alpha² tan²) - 1) / 2, its subtraction expanded. Unbounded towards the horizon; there (z = 0)
+// 1e30.
 float ggxLambda(Tilt w, float alpha) {
   float slope = alpha * alpha * w.p;
   float below = 2.0 * w.z * (w.z + ggxRoot(w, alpha));

@@ -1,8 +1,9 @@
 // ggx_anisotropic.glsl: GGX with two widths, for brushed and stretched surfaces.
 // Frame    local, n = +z, x along alpha.x; h the half-vector, any length; w any direction.
 // alpha    slope widths along x and y, each > 0; 0 or less along either makes D and its pdf 0.
-// Returns  ggxAnisoD: 1/sr. ggxAnisoLambda: >= 0. ggxAnisoG1, ggxAnisoG2...: [0, 1]. ggxAnisoV...: G2 / (4 |wi.n| |wo.n|).
-//          ggxAnisoPdf...: 1/sr. ggxAnisoSample: unit wm. Visible normals: ggxSampleVisible of ggx.glsl, which takes both widths.
+// Returns  ggxAnisoD: 1/sr. ggxAnisoLambda: >= 0. ggxAnisoG1, ggxAnisoG2...: [0, 1]. ggxAnisoV...: G2 / (4 |wi.n|
+//          |wo.n|). ggxAnisoPdf...: 1/sr. ggxAnisoSample: unit wm. Visible normals: ggxSampleVisible of ggx.glsl,
+//          which takes both widths.
 // Source   [Heitz14] eq. 85-87 (D and Lambda by stretching).
 // Limits   as ggx.glsl. With equal widths every function equals its counterpart there (a test holds that).
 #ifndef GG_BSDF_GGX_ANISOTROPIC_GLSL

@@ -6,9 +6,10 @@
 //          reflectionFacet, transmissionFacet: everything that D, G, F, f and the pdfs read, as one struct.
 //          reflectionJacobian, transmissionJacobian: dω_m / dω_i for a known wo, >= 0, dimensionless.
 // Source   [Walter07] eq. 13, 14 (reflection), 16, 17 (refraction).
-// Limits   loses digits as the input itself does: h is as exact as the rounded sum wi + eta wo; where wi and wo nearly
-//          cancel (grazing mirror, straight-through) compensated.glsl keeps five digits. Directions on impossible sides,
-//          on the horizon, eta = 1 in transmission and wi = -wo give exists = false, with every number finite.
+// Limits   loses digits as the input itself does: h is as exact as the rounded sum wi + eta wo; where wi and wo
+//          nearly cancel (grazing mirror, straight-through) compensated.glsl keeps five digits. Directions on
+//          impossible sides, on the horizon, eta = 1 in transmission and wi = -wo give exists = false, with every
+//          number finite.
 #ifndef GG_BSDF_HALF_VECTOR_GLSL
 #define GG_BSDF_HALF_VECTOR_GLSL
 

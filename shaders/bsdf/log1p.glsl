@@ -3,8 +3,8 @@
 // alpha    none.
 // Returns  log1pPositive: >= 0.
 // Source   log(1 + x) = 2 atanh(x / (2 + x)), [AS64] 4.1.27 and 4.6.22.
-// Limits   negative x counts as 0. GLSL's own log is only absolutely accurate near 1, and the trick with (1 + x) - 1 may be
-//          optimised away, so the series it is: relative error below 2^-50 in double, below 3 ulp in float.
+// Limits   negative x counts as 0. GLSL's own log is only absolutely accurate near 1, and the trick with (1 + x) - 1
+//          may be optimised away, so the series it is: relative error below 2^-50 in double, below 3 ulp in float.
 #ifndef GG_BSDF_LOG1P_GLSL
 #define GG_BSDF_LOG1P_GLSL
 

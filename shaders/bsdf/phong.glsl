@@ -1,11 +1,14 @@
 // phong.glsl: the Phong distribution of microfacet normals, a power of the cosine, with Beckmann's shadowing.
 // Frame    D, G1, V, pdf: any, by Tilt (half_vector.glsl). Sampler: local, n = +z.
-// alpha    the snippets take Phong's exponent, >= 0; phongExponent converts a slope width alpha in (0, 1], phongAlpha back.
+// alpha    the snippets take Phong's exponent, >= 0; phongExponent converts a slope width alpha in (0, 1], phongAlpha
+//          back.
 // Returns  phongD: 1/sr. phongG1, phongG2: [0, 1]. phongV: G2 / (4 |wi.n| |wo.n|), finite. phongPdf: 1/sr.
 //          phongSample: unit wm, for u in [0, 1)².
 // Source   [Walter07] eq. 30-32 and the width match below them.
-// Limits   the shadowing is Beckmann's at the matched width, so energy is not conserved: reflecting everything, a lossless
-//          surface returns up to 1.08 at alpha 0.5 and 85 degrees (tests/bsdf bounds it). exponent 0 is alpha 1.
+// Limits   D and G1 do not belong together, so energy is gained: of the facets' area wo sees 1.083 at alpha 0.5 and
+//          85 degrees (up to 1.77 at alpha 1), and a surface that reflects everything returns 1.021 there, 1.34 at
+//          worst (alpha 1 at the horizon); up to alpha 0.3 at most 1.04 and 1. tests/bsdf holds these. Exponent 0 is
+//          alpha 1.
 #ifndef GG_BSDF_PHONG_GLSL
 #define GG_BSDF_PHONG_GLSL
 
@@ -20,7 +23,8 @@ float phongExponent(float alpha) {
 
 float phongAlpha(float exponent) { return sqrt(2.0 / (max(exponent, 0.0) + 2.0)); }
 
-// D = (e + 2) / (2 pi) cos^e; cos^e = (1 + tan²)^(-e / 2), its log taken of 1 + tan² so that it is exact near the normal.
+// D = (e + 2) / (2 pi) cos^e; cos^e = (1 + tan²)^(-e / 2), its log taken of 1 + tan² so that it is exact near the
+// normal.
 float phongD(Tilt m, float exponent) {
   float z2 = m.z * m.z;
   if (!(z2 > 0.0)) return 0.0;

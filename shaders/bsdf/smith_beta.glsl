@@ -3,9 +3,9 @@
 // alpha    as the Lambdas that are passed; ggxG2Beta takes GGX's slope width.
 // Returns  smithG2Beta, ggxG2Beta: [0, 1]. ggxVBeta: G2 / (4 |wi.n| |wo.n|), 0 on the horizon.
 // Source   [Heitz16] 4.2, [Bourlier00]: a ray that enters at height of rank c leaves on the other side from rank 1 - c.
-// Limits   1 / (1 + Lambda_i + Lambda_o), often used here, belongs to reflection: it assumes one height where light enters and
-//          leaves on the same side, and lets through too much (at eta 1.5, alpha 1, 85 degrees .69 of the light for .09).
-//          Relative error below 1e-11 in double, 4e-6 in float (2e-5 for Lambda 1e30).
+// Limits   1 / (1 + Lambda_i + Lambda_o), often used here, belongs to reflection: it assumes one height where light
+//          enters and leaves on the same side, and lets through too much (at eta 1.5, alpha 1, 85 degrees .69 of the
+//          light for .09). Relative error below 1e-11 in double, 4e-6 in float (2e-5 for Lambda 1e30).
 #ifndef GG_BSDF_SMITH_BETA_GLSL
 #define GG_BSDF_SMITH_BETA_GLSL
 
@@ -20,9 +20,10 @@ float stirlingRest(float x) {
   return r * (1.0 / 12.0 - r2 * (1.0 / 360.0 - r2 * (1.0 / 1260.0 - r2 * (1.0 / 1680.0 - r2 / 1188.0))));
 }
 
-// B(1 + lambdaI, 1 + lambdaO). Six steps of the recurrence B(x, y) = B(x + 1, y + 1) (x + y)(x + y + 1) / (x y) lift both
-// arguments to 7 and more; there x^x y^y / (x + y)^(x + y) is one exponential of two negative logarithms, so that nothing
-// large is subtracted. Its sixth root goes with each step: at grazing angles the steps alone would overflow.
+// B(1 + lambdaI, 1 + lambdaO). Six steps of the recurrence B(x, y) = B(x + 1, y + 1) (x + y)(x + y + 1) / (x y) lift
+// both arguments to 7 and more; there x^x y^y / (x + y)^(x + y) is one exponential of two negative logarithms, so
+// that nothing large is subtracted. Its sixth root goes with each step: at grazing angles the steps alone would
+// overflow.
 float smithG2Beta(float lambdaI, float lambdaO) {
   float x = 7.0 + lambdaI;
   float y = 7.0 + lambdaO;

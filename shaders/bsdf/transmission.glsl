@@ -5,8 +5,9 @@
 //          radiance seen along wo; transmissionFCos: that times |wi . n|. transmissionPdf: 1/sr.
 //          refractAbout: unit wi, or vec3(0) past the critical angle. All 0 where no facet exists.
 // Source   [Walter07] eq. 21 (f_t), 17 (Jacobian), 40 (ideal refraction); [Veach97] 5.2 (radiance against power).
-// Limits   single scattering. Smooth (alpha = 0) or index-matched (eta = 1) surfaces transmit a delta: its finite part, 0, is
-//          what f and pdf return, and the whole of it is refractAbout(wo, n) weighted by 1 - F (1 at eta = 1).
+// Limits   single scattering. Smooth (alpha = 0) or index-matched (eta = 1) surfaces transmit a delta: its finite
+//          part, 0, is what f and pdf return, and the whole of it is refractAbout(wo, n) weighted by 1 - F (1 at eta
+//          = 1).
 #ifndef GG_BSDF_TRANSMISSION_GLSL
 #define GG_BSDF_TRANSMISSION_GLSL
 
@@ -15,7 +16,7 @@
 
 // Walter's f_t(i, o) with i := wo, o := wi, so that its eta_o² / (eta_i i.m + eta_o o.m)² reads eta² / |h|².
 float transmissionScatter(Facet f, float d, float v, float eta) {
-  if (!f.exists) return 0.0;
+  if (!(f.exists && d > 0.0)) return 0.0; // D = 0 with an infinite V, as in reflectionLobe
   float through = fresnelTransmitted(f.woDotM, f.g, eta);
   return 4.0 * eta * f.wiDotM * v * (eta * f.woDotM / f.s * d) * through;
 }

@@ -1,11 +1,13 @@
-// values.glsl: every quantity of the microfacet model for one pair of directions, side by side, for study and for tests.
+// values.glsl: every quantity of the microfacet model for one pair of directions, side by side, to study and to test.
 // Frame    through Facet (half_vector.glsl): wo is the known direction (Walter's i), wi the other (Walter's o).
 // alpha    slope width >= 0; for Phong its exponent. eta = n_far / n_known; 0 is a metal of complex index n + i k.
-// Returns  bsdfValues: D, G separable, G2 = 1 / (1 + Lambda_i + Lambda_o) (GGX, else 0), F and 1 - F, Walter's f_r or f_t
-//          with G and with G2 (1/sr), f_cos = f |wi . n|, and the pdfs of wi (1/sr) when wm is drawn from D |wm . n| and
-//          from the visible normals (GGX, else 0), Fresnel's choice left out. All of them 0 where no facet exists.
+// Returns  bsdfValues: D, G separable, G2 = 1 / (1 + Lambda_i + Lambda_o) (GGX, else 0), F and 1 - F, Walter's f_r or
+//          f_t with G and with G2 (1/sr), f_cos = f |wi . n|, and the pdfs of wi (1/sr) when wm is drawn from D |wm .
+//          n| and from the visible normals (GGX, else 0), Fresnel's choice left out. All of them 0 where no facet
+//          exists.
 // Source   [Walter07] eq. 14, 17, 20, 21; the snippets that are included name the rest.
-// Limits   f_t is for power, Walter's eta_o² in it. G2 in transmission is the often-used form, too large: smith_beta.glsl.
+// Limits   f_t is for power, Walter's eta_o² in it. G2 in transmission is the often-used form, too large:
+//          smith_beta.glsl.
 #ifndef GG_BSDF_VALUES_GLSL
 #define GG_BSDF_VALUES_GLSL
 

@@ -1,0 +1,9 @@
+// That this compiles is the test: every pure snippet by itself, as C++ in single precision and
+// nothing but.
+#include "glsl/f32.h"
+
+namespace {
+using Real = float;
+#include "glsl/shim.inl"
+#include "glsl_generated/f32_alone.inl"
+} // namespace
