@@ -6,6 +6,7 @@
 #include <glm/vec4.hpp>
 
 #include <cstddef>
+#include <limits>
 
 namespace gg::bsdf {
 namespace interface {
@@ -25,9 +26,13 @@ inline PackedQuery pack(const Query& q) {
           {q.ck, static_cast<float>(q.lobe), static_cast<float>(q.distribution), 0.0f}};
 }
 
+// A value beyond float32's range is answered with the largest number in it.
 inline Values<float> unpack(const PackedValues& v) {
-  return {v.first.x,  v.first.y,  v.first.z,  v.first.w, v.second.x,
-          v.second.y, v.second.z, v.second.w, v.third.x, v.third.y};
+  Values<float> values = {v.first.x,  v.first.y,  v.first.z,  v.first.w, v.second.x,
+                          v.second.y, v.second.z, v.second.w, v.third.x, v.third.y};
+  for (float& value : values)
+    if (value > std::numeric_limits<float>::max()) value = std::numeric_limits<float>::max();
+  return values;
 }
 
 } // namespace gg::bsdf

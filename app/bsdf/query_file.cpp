@@ -2,11 +2,12 @@
 
 #include "core/error.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace gg::bsdf {
 namespace {
@@ -23,6 +24,17 @@ constexpr std::size_t described_rows = 20;
 // vector keeps its bits: each of three components is off by half an ulp (2^-25) at most, the sum of
 // their squares by 2^-22 with room.
 constexpr double unit_tolerance = 0x1p-21;
+
+// What float32 can square, and square again, on the way to an answer: beyond these a product
+// overflows or vanishes half-way although the answer would not. Glass and metals are far inside
+// (alpha 1e-4 is a mirror, indices end at 10).
+struct Range {
+  float low, high; // 0 is allowed besides
+};
+constexpr Range widths{1e-8f, 1e4f};      // slope width
+constexpr Range exponents{1e-30f, 1e16f}; // Phong's: 1e16 is a width of 1.4e-8
+constexpr Range indices{1e-4f, 1e4f};     // eta
+constexpr Range parts{0.0f, 1e4f};        // cn, ck
 
 // Why a row is not a query.
 struct BadRow {
@@ -52,9 +64,12 @@ float number(const std::string& text, std::string_view name) {
   return value;
 }
 
-float at_least_zero(const std::string& text, std::string_view name) {
+float in_range(const std::string& text, std::string_view name, Range range) {
   const float value = number(text, name);
   if (value < 0.0f) throw BadRow{std::string(name) + " is negative: " + quoted(text)};
+  if (value != 0.0f && (value < range.low || value > range.high))
+    throw BadRow{fmt::format("{} is outside 0 and {:g} to {:g}: {}", name, range.low, range.high,
+                             quoted(text))};
   return value;
 }
 
@@ -127,11 +142,12 @@ bool QueryReader::next(std::size_t limit, std::vector<std::string>& ids,
       q.distribution = Distribution::phong;
     else
       throw BadRow{"dist is not ggx, beckmann or phong: " + quoted(field(dist))};
-    q.alpha = at_least_zero(field(alpha), "alpha");
-    q.eta = at_least_zero(field(eta), "eta");
+    q.alpha =
+        in_range(field(alpha), "alpha", q.distribution == Distribution::phong ? exponents : widths);
+    q.eta = in_range(field(eta), "eta", indices);
     if (q.eta == 0.0f) {
-      q.cn = at_least_zero(field(cn), "cn");
-      q.ck = at_least_zero(field(ck), "ck");
+      q.cn = in_range(field(cn), "cn", parts);
+      q.ck = in_range(field(ck), "ck", parts);
       if (q.cn == 0.0f && q.ck == 0.0f) throw BadRow{"eta is 0 (a conductor) and so are cn and ck"};
     }
     q.i = vector(ix, "i");

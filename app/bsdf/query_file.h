@@ -15,7 +15,8 @@ namespace gg::bsdf {
 // Reads rows in batches, so that memory does not grow with the file. Columns are found by name:
 // id, lobe (R or T), dist (ggx, beckmann, phong), alpha, eta, cn, ck, ix, iy, iz, ox, oy, oz, nx,
 // ny, nz; others are ignored. Numbers are rounded to float32 once; a direction that is not of unit
-// length is normalised.
+// length is normalised. alpha is 0 or 1e-8 to 1e4 (Phong's exponent: 1e-30 to 1e16), eta 0 or 1e-4
+// to 1e4, cn and ck 0 to 1e4: beyond that float32 cannot square its way to an answer.
 class QueryReader {
 public:
   // Throws Error(input) if the file cannot be read or lacks a column, naming all that it lacks.

@@ -48,15 +48,17 @@ float ggxG2Correlated(Tilt wi, Tilt wo, float alpha) {
   return sum > 0.0 ? 2.0 * wi.z * wo.z / sum : 0.0;
 }
 
-// G2 / (4 |wi.n| |wo.n|), the cosines divided out on paper: finite at the horizon, no epsilon.
+// G2 / (4 |wi.n| |wo.n|), the cosines divided out on paper: finite at the horizon, no epsilon. Below 1e-37 the quotient
+// would leave float32's range (both directions within 1e-18 of the horizon and alpha = 0): the answer is 0, as at the
+// horizon.
 float ggxV(Tilt wi, Tilt wo, float alpha) {
   float sum = (wi.z + ggxRoot(wi, alpha)) * (wo.z + ggxRoot(wo, alpha));
-  return sum > 0.0 ? 1.0 / sum : 0.0;
+  return sum > 1e-37 ? 1.0 / sum : 0.0;
 }
 
 float ggxVCorrelated(Tilt wi, Tilt wo, float alpha) {
   float sum = ggxRoot(wi, alpha) * wo.z + ggxRoot(wo, alpha) * wi.z;
-  return sum > 0.0 ? 0.5 / sum : 0.0;
+  return sum > 1e-37 ? 0.5 / sum : 0.0;
 }
 
 // Density of wm drawn by ggxSample: D |wm . n|.

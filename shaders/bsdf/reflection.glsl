@@ -17,7 +17,7 @@
 float reflectionLobe(Facet f, float d, float v) { return f.exists && d > 0.0 ? d * v : 0.0; }
 
 float reflectionF(Facet f, float d, float v, float eta) {
-  return reflectionLobe(f, d, v) * fresnelDielectric(f.woDotM, f.g, eta);
+  return reflectionLobe(f, d, v * fresnelDielectric(f.woDotM, f.g, eta)); // F = 0 before D V overflows
 }
 
 float reflectionFCos(Facet f, float d, float v, float eta) {

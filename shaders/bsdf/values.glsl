@@ -110,8 +110,8 @@ BsdfValues bsdfValues(Facet f, BsdfSurface surface) {
     r.pdfD = transmissionPdf(f, pdfM, surface.eta);
     r.pdfVisible = transmissionPdf(f, pdfVisibleM, surface.eta);
   } else {
-    r.f = reflectionLobe(f, shape.d, shape.v) * r.fresnel;
-    r.fCorrelated = reflectionLobe(f, shape.d, shape.vCorrelated) * r.fresnel;
+    r.f = reflectionLobe(f, shape.d, shape.v * r.fresnel);
+    r.fCorrelated = reflectionLobe(f, shape.d, shape.vCorrelated * r.fresnel);
     r.pdfD = reflectionPdf(f, pdfM);
     r.pdfVisible = reflectionPdf(f, pdfVisibleM);
   }

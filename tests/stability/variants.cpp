@@ -1,7 +1,7 @@
 // The three ways of writing the model, on the device: their values for a file of queries, and what
 // each costs.
-//   stability_variants values textbook|stable|compensated QUERIES.csv VALUES.csv
-//   stability_variants cost QUERIES.csv
+//   stability_variants opengl|vulkan values textbook|stable|compensated QUERIES.csv VALUES.csv
+//   stability_variants opengl|vulkan cost QUERIES.csv
 // The queries whose time is taken are the rows of the file, in each lobe and distribution those
 // that belong to it.
 #include "bsdf/evaluate.h"
@@ -149,10 +149,10 @@ std::vector<double> fastest(gpu::Device& device, const Rows& rows, bsdf::Lobe lo
 }
 
 void print_cost(gpu::Device& device, const Rows& rows) {
-  fmt::print("ns per evaluation of f on {}, the loop around it taken off:\n\n"
+  fmt::print("ns per evaluation of f on {} ({}), the loop around it taken off:\n\n"
              "| lobe | distribution | textbook | stable | compensated | stable / textbook | "
              "compensated / textbook |\n|---|---|---|---|---|---|---|\n",
-             device.info().name);
+             device.info().name, device.info().backend);
   const char* distributions[] = {"GGX", "Beckmann", "Phong"};
   for (const auto lobe : {bsdf::Lobe::reflection, bsdf::Lobe::transmission})
     for (const auto distribution :
@@ -172,19 +172,21 @@ void print_cost(gpu::Device& device, const Rows& rows) {
 
 int main(int argc, char** argv) try {
   const std::vector<std::string> words(argv + 1, argv + argc);
-  const bool values = words.size() == 4 && words[0] == "values";
-  const bool cost = words.size() == 2 && words[0] == "cost";
+  const bool values = words.size() == 5 && words[1] == "values";
+  const bool cost = words.size() == 3 && words[1] == "cost";
   if (!values && !cost) {
-    std::fputs("stability_variants values textbook|stable|compensated QUERIES.csv VALUES.csv\n"
-               "stability_variants cost QUERIES.csv\n",
+    std::fputs("stability_variants opengl|vulkan values textbook|stable|compensated QUERIES.csv "
+               "VALUES.csv\n"
+               "stability_variants opengl|vulkan cost QUERIES.csv\n",
                stderr);
     return static_cast<int>(ExitCode::usage);
   }
-  const auto device = gpu::create_device({});
+  const auto device = gpu::create_device(
+      {.backend = words[0] == "vulkan" ? gpu::Backend::vulkan : gpu::Backend::opengl});
   if (values)
-    write_values(*device, words[1], read_rows(words[2]), words[3]);
+    write_values(*device, words[2], read_rows(words[3]), words[4]);
   else
-    print_cost(*device, read_rows(words[1]));
+    print_cost(*device, read_rows(words[2]));
   return 0;
 } catch (const gg::Error& error) {
   std::fprintf(stderr, "stability_variants: %s\n", error.what());
