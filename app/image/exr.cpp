@@ -143,6 +143,10 @@ Exr read_exr(Bytes bytes, const std::string& name) {
     throw;
   } catch (const std::exception& error) {
     std::string what = error.what();
+    // The library names the file too.
+    const std::string named = "\"" + name + "\". ";
+    if (const std::size_t at = what.find(named); at != std::string::npos)
+      what.erase(0, at + named.size());
     while (!what.empty() && (what.back() == '.' || what.back() == '\n'))
       what.pop_back();
     throw Error(ExitCode::input, name, "is truncated or malformed: " + what,

@@ -45,12 +45,13 @@ double mean(const Image& image) {
          / static_cast<double>(image.values.size());
 }
 
-// Ids of a 12 x 8 picture: object 1 in columns 1 to 5, object 2 in columns 6 to 10.
+// Ids of a 12 x 8 picture: object 1 in columns 1 to 5, object 2 in columns 6 to 10, of all rows but
+// the first.
 std::vector<float> two_objects() {
   std::vector<float> ids;
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 12; ++x)
-      ids.push_back(x == 0 || x == 11 ? 0.0f : x < 6 ? 1.0f : 2.0f);
+      ids.push_back(y == 0 || x == 0 || x == 11 ? 0.0f : x < 6 ? 1.0f : 2.0f);
   return ids;
 }
 
@@ -145,11 +146,11 @@ TEST(compare, objects_leave_out_the_pixels_that_they_only_touch) {
   test.at(3, 4, 0) = 0.5f;
   const Comparison c = image::compare(picture(test), reference);
   ASSERT_TRUE(c.objects);
-  // Columns 2 to 9, all rows: the picture's edge is not an object's.
-  EXPECT_EQ(c.objects->pixels, 8u * 8u);
-  EXPECT_NEAR(c.objects->rmse, std::sqrt(1.25 / 192.0), rounding);
-  EXPECT_EQ(c.by_object.at(1).pixels, 3u * 8u); // columns 2 to 4
-  EXPECT_NEAR(c.by_object.at(1).rmse, std::sqrt(0.25 / 72.0), rounding);
+  // Columns 2 to 9 and rows 2 to 7: the picture's edge is not an object's.
+  EXPECT_EQ(c.objects->pixels, 8u * 6u);
+  EXPECT_NEAR(c.objects->rmse, std::sqrt(1.25 / 144.0), rounding);
+  EXPECT_EQ(c.by_object.at(1).pixels, 3u * 6u); // columns 2 to 4
+  EXPECT_NEAR(c.by_object.at(1).rmse, std::sqrt(0.25 / 54.0), rounding);
   EXPECT_EQ(c.by_object.at(2).rmse, 0.0);
   EXPECT_NEAR(c.frame.rmse, std::sqrt(2.25 / 288.0), rounding);
 }
@@ -160,8 +161,8 @@ TEST(compare, coverage_decides_where_it_is_known) {
   reference.coverage.assign(96, 1.0f);
   reference.coverage[4 * 12 + 3] = 0.75f;
   const Comparison c = image::compare(picture(Image(12, 8, 3)), reference);
-  EXPECT_EQ(c.by_object.at(1).pixels, 5u * 8u - 1u);
-  EXPECT_EQ(c.objects->pixels, 10u * 8u - 1u);
+  EXPECT_EQ(c.by_object.at(1).pixels, 5u * 7u - 1u);
+  EXPECT_EQ(c.objects->pixels, 10u * 7u - 1u);
 }
 
 TEST(compare, single_objects_can_be_chosen) {
