@@ -69,6 +69,7 @@ image::Exr Film::to_exr() const {
       errors += error[c];
     }
     exr.channels["id"].push_back(static_cast<float>(std::max(pixel.object, 0)));
+    exr.channels["coverage"].push_back(pixel.object > 0 ? 1.0f : 0.0f);
   }
   exr.attributes["spp"] = std::to_string(samples_);
   exr.attributes["meanStandardError"] =

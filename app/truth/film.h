@@ -39,8 +39,9 @@ public:
   // (standard error / (|mean| + 0.1))²; over all pixels if objects cover none.
   double relative_error() const;
 
-  // Channels R G B, stderr.R stderr.G stderr.B and id; attribute spp. With these, from_exr()
-  // recovers the sums to float32's rounding.
+  // Channels R G B, stderr.R stderr.G stderr.B, id, and coverage: 1 where an id is, as that is
+  // only given to pixels that are covered wholly. Attributes spp, meanStandardError (over pixels
+  // and RGB) and relativeError. With these, from_exr() recovers the sums to float32's rounding.
   image::Exr to_exr() const;
   // Throws Error(input) naming `path` if the channels or the number of samples are not there.
   static Film from_exr(const image::Exr& exr, const std::filesystem::path& path);

@@ -19,6 +19,11 @@ double share(double a, double b) {
   return 1.0 / (1.0 + r * r);
 }
 
+// Light that crosses a solid passes two interfaces, and is tinted by the base colour in all.
+glm::dvec3 tint_of(const Surface& solid) {
+  return glm::sqrt(solid.base_color);
+}
+
 } // namespace
 
 // What has been followed so far. `pdf` is the density with which the last direction was drawn if
@@ -118,8 +123,8 @@ Sample Integrator::trace(const Ray& camera_ray, Random& random) const {
         meeting.beyond.leave(solid);
       const SolidId next = media_.at(meeting.beyond);
       meeting.ior_beyond = media_.ior(next);
-      // A boundary inside something that displaces its solid is not there.
-      if (next == medium && surface.transmission == 1.0 && surface.metallic == 0.0) {
+      if (const auto passed = unbent(surface, medium, next)) {
+        path.throughput *= *passed;
         path.inside = meeting.beyond;
         continue;
       }
@@ -132,6 +137,15 @@ Sample Integrator::trace(const Ray& camera_ray, Random& random) const {
   }
   sample.radiance = path.radiance;
   return sample;
+}
+
+// What a solid's boundary lets straight through if it neither bends nor reflects light: all, inside
+// something that displaces the solid, for then it is not there; its colour, between equal indices.
+std::optional<glm::dvec3> Integrator::unbent(const Surface& s, SolidId medium, SolidId next) const {
+  if (s.transmission != 1.0 || s.metallic != 0.0) return std::nullopt;
+  if (next == medium) return glm::dvec3(1.0);
+  if (media_.ior(next) != media_.ior(medium) || s.tinted_reflectance) return std::nullopt;
+  return tint_of(s);
 }
 
 void Integrator::add_environment(Path& path) const {
@@ -163,9 +177,8 @@ Closure Integrator::closure_at(const Meeting& meeting) const {
   const Surface& s = meeting.surface;
   const glm::dvec3 n = meeting.by_triangle ? s.geometric : s.n;
   if (meeting.face == Face::first) {
-    // Light that crosses a solid passes two interfaces and is tinted by the base colour in all; a
-    // wall tints what reaches its other side, once.
-    const glm::dvec3 tint = meeting.solid() ? glm::sqrt(s.base_color) : glm::dvec3(1.0);
+    // A wall tints what reaches its other side, once.
+    const glm::dvec3 tint = meeting.solid() ? tint_of(s) : glm::dvec3(1.0);
     return Closure(interface_of(s, meeting.ior_before, meeting.ior_beyond, settings_.smith, tint),
                    meeting.by_triangle ? face_viewer(n, meeting.wo) : n, meeting.wo);
   }
@@ -303,8 +316,7 @@ glm::dvec3 Integrator::straight_through(const Hit& hit, const Ray& ray, Inside& 
       inside.enter(solid);
     else
       inside.leave(solid);
-    const bool there = media_.at(inside) != medium || s.transmission != 1.0 || s.metallic != 0.0;
-    return there ? beside : glm::dvec3(1.0);
+    return unbent(s, medium, media_.at(inside)).value_or(glm::dvec3(0.0));
   }
   // A smooth wall: all orders of inner reflection, t² / (1 - r²).
   if (through_walls && s.kind == SurfaceKind::thin && s.alpha == 0.0) {

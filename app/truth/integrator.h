@@ -55,6 +55,7 @@ private:
   void add_direct_light(Path& path, const Meeting& meeting, const Closure& closure) const;
   void add_environment(Path& path) const;
   bool survives(Path& path) const;
+  std::optional<glm::dvec3> unbent(const Surface& surface, SolidId medium, SolidId next) const;
   Closure closure_at(const Meeting& meeting) const;
   glm::dvec3 shadow(Ray ray, Inside inside, bool through_walls) const;
   glm::dvec3 straight_through(const Hit& hit, const Ray& ray, Inside& inside,

@@ -1,11 +1,13 @@
 #include "truth/render.h"
 
 #include <tbb/blocked_range2d.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 
 namespace gg::truth {
 namespace {
@@ -55,6 +57,11 @@ bool add_pass(const Integrator& integrator, const Camera& camera, std::uint64_t 
 
 bool render(const Integrator& integrator, const Camera& camera, const RenderDesc& desc, Film& film,
             const Watch& watch) {
+  // TBB grants no more threads than the machine has, unless it is told.
+  std::optional<tbb::global_control> allowed;
+  if (desc.threads > 0)
+    allowed.emplace(tbb::global_control::max_allowed_parallelism,
+                    static_cast<std::size_t>(desc.threads));
   tbb::task_arena arena(desc.threads > 0 ? desc.threads : tbb::task_arena::automatic);
   const long pixels = static_cast<long>(film.width()) * film.height();
   double error = film.samples() > 0 ? film.relative_error() : INFINITY;

@@ -143,6 +143,7 @@ Surface Surfaces::read(const Hit& hit, const glm::dvec3& wo) const {
   s.alpha = m.exact_alpha ? static_cast<double>(*m.exact_alpha) : roughness * roughness;
   if (!s.front && s.kind == SurfaceKind::solid && m.back_alpha)
     s.alpha = static_cast<double>(*m.back_alpha);
+  s.tinted_reflectance = has_tinted_reflectance(m);
   s.specular = static_cast<double>(m.specular) * map(hit, m.specular_map, Encoding::linear).w;
   s.specular_color =
       glm::dvec3(m.specular_color) * glm::dvec3(map(hit, m.specular_color_map, Encoding::srgb));
@@ -171,7 +172,7 @@ Interface interface_of(const Surface& s, double near_ior, double far_ior, Smith 
     const float near = static_cast<float>(near_ior > 0.0 ? near_ior : 1.0);
     i.metal = scene::Conductor{m.conductor->n / near, m.conductor->k / near};
   }
-  if (has_tinted_reflectance(m)) {
+  if (s.tinted_reflectance) {
     // KHR_materials_specular: f0 = min(f0 of the index * colour, 1) * strength, f90 = strength.
     const double f0 = i.eta > 0.0 ? glsl::f64::fresnelNormalIncidence(i.eta) : 1.0;
     i.tinted = TintedReflectance{glm::min(f0 * s.specular_color, glm::dvec3(1.0)) * s.specular,

@@ -27,7 +27,8 @@ struct Surface {
   double coverage = 1.0; // chance that the surface is there: alpha mask (0 or 1) and blend
   glm::dvec3 base_color{1.0}, emissive{0.0}, specular_color{1.0};
   double metallic = 0.0, alpha = 0.0, specular = 1.0, occlusion = 1.0;
-  double transmission = 0.0; // share of the dielectric's base that is refracted
+  double transmission = 0.0;       // share of the dielectric's base that is refracted
+  bool tinted_reflectance = false; // by specular and specular_color: Schlick's form
 };
 
 // The least turn of n that puts the viewer above it: interpolated and mapped normals can turn away

@@ -1,0 +1,241 @@
+// What is drawn at random is drawn with the density that is claimed for it.
+#include "truth/beckmann_visible.h"
+#include "truth/closure.h"
+#include "truth/estimate.h"
+
+#include <numbers>
+
+namespace {
+
+using namespace gg;
+using namespace gg::truth;
+using namespace gg::truth::test;
+
+constexpr double pi = std::numbers::pi;
+
+// A mean of independent values with its standard error.
+struct Mean {
+  double sum = 0.0, squares = 0.0;
+  long n = 0;
+  void add(double x) { sum += x, squares += x * x, ++n; }
+  double mean() const { return sum / static_cast<double>(n); }
+  double error() const {
+    const double m = mean();
+    return std::sqrt(std::max(squares / static_cast<double>(n) - m * m, 0.0)
+                     / static_cast<double>(n - 1));
+  }
+};
+
+constexpr double sigmas = 5.0; // one chance in 1.7 million
+
+glm::dvec3 uniform_direction(Random& random) {
+  const double z = 2.0 * random.uniform() - 1.0, phi = 2.0 * pi * random.uniform();
+  const double r = std::sqrt(1.0 - z * z);
+  return {r * std::cos(phi), r * std::sin(phi), z};
+}
+
+// How often directions fall into the cells of a sphere (equal areas), against the integral of the
+// density there, by chi-square.
+template <class Sample, class Pdf>
+void expect_histogram_matches(const Sample& sample, const Pdf& pdf, const std::string& what) {
+  constexpr int rows = 12, columns = 12, draws = 60000, fine = 16;
+  std::vector<double> expected(rows * columns, 0.0), seen(rows * columns, 0.0);
+  const auto cell = [](const glm::dvec3& d) {
+    const int row = std::clamp(static_cast<int>((d.z + 1.0) / 2.0 * rows), 0, rows - 1);
+    const int column = std::clamp(
+        static_cast<int>((std::atan2(d.y, d.x) / (2.0 * pi) + 0.5) * columns), 0, columns - 1);
+    return static_cast<std::size_t>(row * columns + column);
+  };
+  for (int i = 0; i < rows * fine; ++i)
+    for (int j = 0; j < columns * fine; ++j) {
+      const double z = 2.0 * (i + 0.5) / (rows * fine) - 1.0;
+      const double phi = 2.0 * pi * ((j + 0.5) / (columns * fine) - 0.5);
+      const double r = std::sqrt(1.0 - z * z);
+      const glm::dvec3 d(r * std::cos(phi), r * std::sin(phi), z);
+      expected[cell(d)] += pdf(d) * 4.0 * pi / (rows * columns * fine * fine);
+    }
+  long drawn = 0;
+  for (int k = 0; k < draws; ++k) {
+    Random random(7, 0, static_cast<std::uint64_t>(k));
+    if (const std::optional<glm::dvec3> d = sample(random)) {
+      seen[cell(*d)] += 1.0;
+      ++drawn;
+    }
+  }
+  double chi2 = 0.0, pooled_expected = 0.0, pooled_seen = 0.0;
+  int cells = 0;
+  const auto count = [&](double e, double s) {
+    chi2 += (s - e) * (s - e) / e;
+    ++cells;
+  };
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const double e = expected[i] * draws;
+    if (e >= 20.0) {
+      count(e, seen[i]);
+    } else {
+      pooled_expected += e;
+      pooled_seen += seen[i];
+    }
+  }
+  if (pooled_expected >= 5.0) count(pooled_expected, pooled_seen);
+  ASSERT_GT(cells, 5) << what;
+  // Chi-square of k cells has mean k and variance 2 k; the midpoint sums of the density add less
+  // than another k.
+  EXPECT_LT(chi2, 2.0 * cells + sigmas * std::sqrt(2.0 * cells))
+      << what << ", " << drawn << " drawn";
+}
+
+TEST(truth_beckmann, visible_normals_have_their_density) {
+  for (const double alpha : {0.3, 1.0})
+    for (const double cos_o : {1.0, 0.5, 0.05}) {
+      const glm::dvec3 wo(std::sqrt(1.0 - cos_o * cos_o), 0.0, cos_o);
+      expect_histogram_matches(
+          [&](Random& random) { return std::optional(beckmann_sample_visible(wo, alpha, random)); },
+          [&](const glm::dvec3& m) {
+            glsl::f64::Facet f{};
+            f.h = glsl::f64::tilt(m);
+            f.wo = glsl::f64::tilt(wo);
+            f.woDotM = glm::dot(wo, m);
+            f.exists = m.z > 0.0 && f.woDotM > 0.0;
+            return beckmann_pdf_visible(f, alpha);
+          },
+          "alpha " + std::to_string(alpha) + ", cos " + std::to_string(cos_o));
+    }
+}
+
+struct NamedInterface {
+  const char* name;
+  Interface interface;
+};
+
+std::vector<NamedInterface> interfaces() {
+  const Interface glass{.alpha = 0.35, .eta = 1.5, .transmit = glm::dvec3(1.0)};
+  Interface leaving = glass, plastic = glass, mixed = glass, tinted = glass, beckmann = glass,
+            phong = glass, correlated = glass, metal = glass;
+  leaving.eta = 1.0 / 1.5;
+  plastic.transmit = glm::dvec3(0.0);
+  plastic.diffuse = {0.8, 0.5, 0.1};
+  mixed.diffuse = {0.3, 0.2, 0.1};
+  mixed.transmit = {0.3, 0.6, 0.6};
+  mixed.metallic = 0.4;
+  mixed.metal_f0 = {0.9, 0.5, 0.2};
+  tinted.tinted = TintedReflectance{{0.1, 0.05, 0.02}, 0.7};
+  beckmann.distribution = scene::Distribution::beckmann;
+  phong.distribution = scene::Distribution::phong;
+  correlated.smith = Smith::correlated;
+  metal.metallic = 1.0;
+  metal.metal = scene::Conductor{{0.2f, 0.9f, 1.4f}, {3.9f, 2.5f, 1.8f}};
+  return {{"entering glass", glass}, {"leaving glass", leaving}, {"plastic", plastic},
+          {"mixed", mixed},          {"tinted", tinted},         {"Beckmann", beckmann},
+          {"Phong", phong},          {"correlated", correlated}, {"gold", metal}};
+}
+
+TEST(truth_closure, directions_are_drawn_with_their_density) {
+  for (const NamedInterface& i : interfaces())
+    for (const double cos_o : {0.95, 0.3}) {
+      // Aslant, so that no lobe sits on a pole of the grid.
+      const glm::dvec3 n(2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0),
+          across(-1.0 / 3.0, -2.0 / 3.0, 2.0 / 3.0);
+      const glm::dvec3 wo = cos_o * n + std::sqrt(1.0 - cos_o * cos_o) * across;
+      const Closure closure(i.interface, n, wo);
+      expect_histogram_matches(
+          [&](Random& random) {
+            const auto drawn = closure.sample(random);
+            return drawn ? std::optional(drawn->wi) : std::nullopt;
+          },
+          [&](const glm::dvec3& wi) { return closure.evaluate(wi).pdf; },
+          std::string(i.name) + ", cos " + std::to_string(cos_o));
+    }
+}
+
+TEST(truth_closure, weights_average_to_the_integral_of_f_cos) {
+  for (const NamedInterface& i : interfaces())
+    for (const double cos_o : {0.95, 0.3}) {
+      const glm::dvec3 n(0.0, 0.0, 1.0), wo(std::sqrt(1.0 - cos_o * cos_o), 0.0, cos_o);
+      const Closure closure(i.interface, n, wo);
+      Mean drawn_mean, uniform_mean;
+      for (std::uint64_t k = 0; k < 100000; ++k) {
+        Random random(3, 0, k);
+        const auto drawn = closure.sample(random);
+        drawn_mean.add(drawn ? drawn->weight.x : 0.0);
+        uniform_mean.add(closure.evaluate(uniform_direction(random)).f_cos.x * 4.0 * pi);
+      }
+      EXPECT_NEAR(drawn_mean.mean(), uniform_mean.mean(),
+                  sigmas * std::hypot(drawn_mean.error(), uniform_mean.error()))
+          << i.name << ", cos " << cos_o;
+    }
+}
+
+TEST(truth_closure, smooth_lobes_are_the_limit_of_narrow_ones) {
+  for (const NamedInterface& named : interfaces()) {
+    // Phong is not sampled by what the viewer sees, but agrees in the limit all the same.
+    Interface narrow = named.interface, smooth = named.interface;
+    narrow.alpha = 1e-4;
+    smooth.alpha = 0.0;
+    const glm::dvec3 n(0.0, 0.0, 1.0), wo(0.6, 0.0, 0.8);
+    const Closure a(narrow, n, wo), b(smooth, n, wo);
+    Mean means[2][2]; // narrow or smooth, reflected or transmitted
+    for (std::uint64_t k = 0; k < 20000; ++k) {
+      Random first(5, 0, k), second(6, 0, k);
+      const auto x = a.sample(first), y = b.sample(second);
+      for (const bool across : {false, true}) {
+        means[0][across].add(x && x->transmitted == across ? x->weight.y : 0.0);
+        means[1][across].add(y && y->transmitted == across ? y->weight.y : 0.0);
+      }
+    }
+    for (const bool across : {false, true})
+      EXPECT_NEAR(means[0][across].mean(), means[1][across].mean(),
+                  sigmas * std::hypot(means[0][across].error(), means[1][across].error()) + 1e-3)
+          << named.name << (across ? ", transmitted" : ", reflected");
+  }
+}
+
+// A dark sky with a bright disc, a sun of few texels, and black patches.
+image::Image sky() {
+  image::Image map(64, 32, 3);
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        map.at(x, y, c) = y > 20 && x < 32 ? 0.0f : 0.1f * static_cast<float>(c + 1);
+  for (int c = 0; c < 3; ++c)
+    map.at(40, 8, c) = 5000.0f;
+  return map;
+}
+
+TEST(truth_environment, density_integrates_to_one_and_estimates_the_same_light) {
+  const EnvironmentLight light(sky(), 0.7, 2.0);
+  Mean density, uniform, drawn;
+  for (std::uint64_t k = 0; k < 400000; ++k) {
+    Random random(11, 0, k);
+    const glm::dvec3 d = uniform_direction(random);
+    density.add(light.pdf(d) * 4.0 * pi);
+    uniform.add(light.radiance(d).y * 4.0 * pi);
+    const auto s = light.sample(random);
+    ASSERT_TRUE(s);
+    drawn.add(s->radiance.y / s->pdf);
+  }
+  EXPECT_NEAR(density.mean(), 1.0, sigmas * density.error());
+  EXPECT_NEAR(drawn.mean(), uniform.mean(), sigmas * std::hypot(drawn.error(), uniform.error()));
+  // It is there for a reason: the sun is ten times less noisy than without.
+  EXPECT_LT(drawn.error(), 0.1 * uniform.error());
+}
+
+TEST(truth_environment, directions_are_where_the_convention_puts_them) {
+  // u = atan2(z, x) / 2 pi + 1/2, v = acos(y) / pi: +X in the middle, +Z at three quarters.
+  image::Image map(8, 4, 3);
+  map.at(4, 2, 0) = map.at(3, 2, 0) = map.at(4, 1, 0) = map.at(3, 1, 0) = 1.0f; // +X red
+  map.at(6, 2, 1) = map.at(5, 2, 1) = map.at(6, 1, 1) = map.at(5, 1, 1) = 1.0f; // +Z green
+  for (int x = 0; x < 8; ++x)
+    map.at(x, 0, 2) = 1.0f; // +Y blue
+  const EnvironmentLight light(map, 0.0, 1.0);
+  EXPECT_EQ(light.radiance({1.0, 0.0, 0.0}), glm::dvec3(1.0, 0.0, 0.0));
+  EXPECT_EQ(light.radiance({0.0, 0.0, 1.0}), glm::dvec3(0.0, 1.0, 0.0));
+  EXPECT_EQ(light.radiance({0.0, 1.0, 0.0}), glm::dvec3(0.0, 0.0, 1.0));
+  // A quarter turn, counter-clockwise seen from above, takes +X to -Z and +Z to +X.
+  const EnvironmentLight turned(map, pi / 2.0, 3.0);
+  constexpr double rounding = 1e-12;
+  EXPECT_NEAR(turned.radiance({0.0, 0.0, -1.0}).x, 3.0, rounding);
+  EXPECT_NEAR(turned.radiance({1.0, 0.0, 0.0}).y, 3.0, rounding);
+}
+
+} // namespace
