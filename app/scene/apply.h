@@ -16,9 +16,10 @@
 // finish                a finish's name
 // back_alpha            width of D where light leaves a solid, 0..1
 // distribution          ggx, beckmann, phong
-// color                 what the surface (or a clear solid) is tinted with: R/G/B linear, or
-// #rrggbb ior                   at least 1 thickness             of a volume, in the mesh's units;
-// 0 makes it thin-walled attenuation_distance  metres until white has become attenuation_color
+// color                 what the surface (or a clear solid) is tinted with: R/G/B linear, or #rrggbb
+// ior                   at least 1
+// thickness             of a volume, in the mesh's units; 0 makes it thin-walled
+// attenuation_distance  metres until white has become attenuation_color
 // attenuation_color     as color
 // dispersion            20 / Abbe number
 #pragma once
