@@ -4,7 +4,7 @@
 // alpha    none. eta = n_far / n_known, far = wi's side, known = wo's side; 0 stands for a metal.
 // Returns  preciseReflectionFacet, preciseTransmissionFacet: a Facet whose every number is right to a few ulp.
 // Source   [Walter07] eq. 13, 16; the arithmetic is twin.glsl's and twin_vector.glsl's.
-// Limits   about ten times the arithmetic of the plain facet (numbers in shaders/README.md). Worth it offline, in
+// Limits   about twelve times the arithmetic of the plain facet (numbers in shaders/README.md). Worth it offline, in
 //          proofs, and for mirrors at grazing angles; a picture does not show the difference. See twin.glsl for ES
 //          3.00.
 #ifndef GG_BSDF_COMPENSATED_GLSL

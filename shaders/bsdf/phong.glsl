@@ -23,8 +23,8 @@ float phongExponent(float alpha) {
 
 float phongAlpha(float exponent) { return sqrt(2.0 / (max(exponent, 0.0) + 2.0)); }
 
-// D = (e + 2) / (2 pi) cos^e; cos^e = (1 + tan²)^(-e / 2), its log taken of 1 + tan² so that it is exact near the normal.
-// tan² is kept finite, for the exponent 0: 0 times infinity is no power.
+// D = (e + 2) / (2 pi) cos^e; cos^e = (1 + tan²)^(-e / 2), its log taken of 1 + tan² so that it is exact near the
+// normal. tan² is kept finite, for the exponent 0: 0 times infinity is no power.
 float phongD(Tilt m, float exponent) {
   float z2 = m.z * m.z;
   if (!(z2 > 0.0)) return 0.0;

@@ -12,8 +12,8 @@
 #include "bsdf/fresnel_dielectric.glsl"
 #include "bsdf/half_vector.glsl"
 
-// D V = D G / (4 |wi.n| |wo.n|): f_r of a surface that reflects everything. Where D is 0, V may be infinite (alpha = 0 and
-// both directions within 1e-19 of the horizon).
+// D V = D G / (4 |wi.n| |wo.n|): f_r of a surface that reflects everything. Where D is 0, V may be infinite (alpha =
+// 0 and both directions within 1e-19 of the horizon).
 float reflectionLobe(Facet f, float d, float v) { return f.exists && d > 0.0 ? d * v : 0.0; }
 
 float reflectionF(Facet f, float d, float v, float eta) {
