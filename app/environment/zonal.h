@@ -1,0 +1,22 @@
+// Kernels of the angle alone, as tables that the device convolves with, and the balance of an equirectangular lattice.
+#pragma once
+
+#include <vector>
+
+namespace gg::environment {
+
+// Values at half chords i / (count - 1), i = 0 .. count - 1 (half chord = sin(angle / 2)), relative to the kernel's peak.
+
+// The sphere's Gaussian: degree l times exp(-l(l+1) variance / 2). variance >= 0.01 rad².
+std::vector<float> heat_kernel_table(double variance, int count);
+
+// The clamped cosine over pi, for a map that was blurred by a Gaussian of that variance before: the series of the cosine
+// [RamamoorthiHanrahan01, eq. 19] with the blur divided out, up to the degree where it would be amplified `most` times.
+std::vector<float> cosine_kernel_table(double blurred_variance, double most, int count);
+
+// What a pixel of each row is worth when a Gaussian of `sigma` radians reads an equirectangular picture: its solid angle times
+// a factor near 1 that makes the weights which it has in all readings, each normalised to 1, add up to its solid angle.
+// Only rows next to the poles need it: 8 % there, 1e-5 from the tenth on.
+std::vector<float> balanced_rows(int width, int height, double sigma, double reach);
+
+} // namespace gg::environment

@@ -1,0 +1,34 @@
+// lobe_table_fetch.glsl: reads the tables of the reflection lobe.
+// Frame    world: n, wo unit; samplers linear, clamped to the edge.
+// alpha    slope width in [0, 1] (clamped).
+// Returns  fetchLobeEnergy, fetchLobeTap: see lobe_table.glsl. standardTap: what peers do, the mirror direction at the width of
+//          the lobe at normal incidence.
+// Source   DESIGN.md, "Tables".
+// Limits   those of lobe_table.glsl.
+#ifndef GG_ENVIRONMENT_LOBE_TABLE_FETCH_GLSL
+#define GG_ENVIRONMENT_LOBE_TABLE_FETCH_GLSL
+
+#include "environment/lobe_table.glsl"
+
+LobeEnergy fetchLobeEnergy(sampler2D energyTable, float cosTheta, float alpha) {
+  return lobeEnergy(textureLod(energyTable, energyCoordinate(cosTheta, alpha), 0.0));
+}
+
+// edge: edgeShare() of the surface's reflectance.
+LobeTap fetchLobeTap(sampler3D lobeTable, vec3 wo, vec3 n, float alpha, float edge) {
+  float cosTheta = dot(wo, n);
+  vec4 texel = textureLod(lobeTable, lobeCoordinate(cosTheta, alpha, edge), 0.0);
+  LobeTap tap;
+  tap.direction = lobeDirection(2.0 * cosTheta * n - wo, n, texel.x);
+  tap.sigma = texel.y * alpha;
+  return tap;
+}
+
+LobeTap fetchStandardTap(sampler3D lobeTable, vec3 wo, vec3 n, float alpha) {
+  LobeTap tap;
+  tap.direction = 2.0 * dot(wo, n) * n - wo;
+  tap.sigma = textureLod(lobeTable, lobeCoordinate(1.0, alpha, 0.0), 0.0).y * alpha;
+  return tap;
+}
+
+#endif
