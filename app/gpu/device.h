@@ -37,7 +37,9 @@ public:
 };
 
 // A pass declares what it reads and writes; who orders and synchronises is the backend's business.
-// A pass draws (it has targets) or computes (it has none).
+// A pass draws (it has targets) or computes (it has none). Not declaring what some pass writes is an
+// Error(internal) when it is bound; what is only ever uploaded need not be declared. The draws and
+// dispatches of one pass do not see what its others store.
 struct Pass {
   std::string label; // of the debug group and of the timer
   std::vector<ColorTarget> colors;
@@ -72,6 +74,7 @@ struct DeviceCounters {
   double record_ms = 0.0; // host time in run(), recording and submitting; waiting is not counted
 };
 
+// Used by one thread at a time, the one that created it. Objects may outlive their device.
 class Device {
 public:
   virtual ~Device() = default;

@@ -185,6 +185,8 @@ void GlEncoder::image(std::string_view name, const View& view) {
 void GlEncoder::vertices(int binding, const BufferRef& buffer, std::size_t offset) {
   const GlBuffer& given = of(buffer, "a vertex binding");
   if (binding < 0) refuse("has no vertex binding " + std::to_string(binding));
+  if (!has(given.desc.use, Use::vertices))
+    refuse(describe(given.desc) + " was not made for vertices");
   check_range(given.desc, offset, 1);
   if (given.written) check_declared(*pass_, buffer, false);
   const auto index = static_cast<std::size_t>(binding);
@@ -194,7 +196,10 @@ void GlEncoder::vertices(int binding, const BufferRef& buffer, std::size_t offse
 }
 
 void GlEncoder::indices(const BufferRef& buffer) {
-  if (of(buffer, "the indices").written) check_declared(*pass_, buffer, false);
+  const GlBuffer& given = of(buffer, "the indices");
+  if (!has(given.desc.use, Use::indices))
+    refuse(describe(given.desc) + " was not made for indices");
+  if (given.written) check_declared(*pass_, buffer, false);
   indices_ = buffer;
   indices_changed_ = true;
 }

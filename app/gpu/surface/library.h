@@ -4,13 +4,18 @@
 
 #include <dlfcn.h>
 
+#include <initializer_list>
+
 namespace gg::gpu::surface {
 
 class Library {
 public:
-  // RTLD_LOCAL: libOSMesa exports the names of all GL functions, which must not stand in for those
-  // of another driver.
-  explicit Library(const char* name) : handle_(::dlopen(name, RTLD_NOW | RTLD_LOCAL)) {}
+  // The first of the names that is there. RTLD_LOCAL: libOSMesa exports the names of all GL
+  // functions, which must not stand in for those of another driver.
+  explicit Library(std::initializer_list<const char*> names) {
+    for (const char* name : names)
+      if (!handle_) handle_ = ::dlopen(name, RTLD_NOW | RTLD_LOCAL);
+  }
 
   explicit operator bool() const { return handle_ != nullptr; }
 
@@ -20,7 +25,7 @@ public:
   }
 
 private:
-  void* handle_;
+  void* handle_ = nullptr;
 };
 
 } // namespace gg::gpu::surface

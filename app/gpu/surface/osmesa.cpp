@@ -11,7 +11,7 @@ namespace gg::gpu::surface {
 namespace {
 
 struct Functions {
-  Library library{"libOSMesa.so.8"};
+  Library library{{"libOSMesa.so.8", "libOSMesa.so.6"}}; // the latter is a name for the same
   decltype(&OSMesaCreateContextAttribs) create = nullptr;
   decltype(&OSMesaDestroyContext) destroy = nullptr;
   decltype(&OSMesaMakeCurrent) make_current = nullptr;
@@ -57,10 +57,10 @@ private:
 std::unique_ptr<Context> open_osmesa() {
   const Functions& api = osmesa();
   if (!api.library)
-    throw Error(ExitCode::device, "OSMesa", "libOSMesa.so.8 is not on this machine",
+    throw Error(ExitCode::device, "OSMesa", "libOSMesa.so is not on this machine",
                 "Install libosmesa6, or choose --surface egl.");
   if (!api.complete())
-    throw Error(ExitCode::device, "OSMesa", "this libOSMesa.so.8 is too old",
+    throw Error(ExitCode::device, "OSMesa", "this libOSMesa.so is too old",
                 "Install Mesa 22 or newer, or choose --surface egl.");
   constexpr std::array attributes = {OSMESA_FORMAT,
                                      OSMESA_RGBA,
