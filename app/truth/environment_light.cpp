@@ -25,14 +25,9 @@ double edge(int j, int n) {
 
 } // namespace
 
-EnvironmentLight::EnvironmentLight(const image::Image& map, double rotation, double intensity)
-    : width_(map.width), height_(map.height), cosine_(std::cos(rotation)),
+EnvironmentLight::EnvironmentLight(environment::Map map, double rotation, double intensity)
+    : map_(std::move(map)), width_(map_.width), height_(map_.height), cosine_(std::cos(rotation)),
       sine_(std::sin(rotation)), intensity_(intensity) {
-  texels_.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-  for (int y = 0; y < height_; ++y)
-    for (int x = 0; x < width_; ++x)
-      texels_.emplace_back(map.at(x, y, 0), map.at(x, y, 1), map.at(x, y, 2));
-
   // The mean of the bilinear surface over a texel's own rectangle weighs it by 3/4 and its
   // neighbours by 1/8 along each axis.
   const auto smoothed_row = [&](int y, int x) {
@@ -65,8 +60,7 @@ EnvironmentLight::EnvironmentLight(const image::Image& map, double rotation, dou
 glm::dvec3 EnvironmentLight::texel(int x, int y) const {
   const int column = ((x % width_) + width_) % width_;
   const int row = std::clamp(y, 0, height_ - 1);
-  return glm::dvec3(texels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_)
-                            + static_cast<std::size_t>(column)]);
+  return glm::dvec3(map_.at(column, row));
 }
 
 glm::dvec3 EnvironmentLight::in_map(const glm::dvec3& d) const {

@@ -1,11 +1,12 @@
 // The environment as a light: radiance along a direction, and directions drawn where it is bright.
 #pragma once
 
-#include "image/image.h"
+#include "environment/map.h"
 #include "truth/random.h"
 
 #include <glm/glm.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace gg::truth {
@@ -18,10 +19,9 @@ public:
     double pdf = 0.0; // 1/sr
   };
 
-  // An equirectangular map, row 0 towards +Y, direction to texture u = atan2(z, x) / 2 pi + 1/2,
-  // v = acos(y) / pi; finite values, 0 or more. It is turned by `rotation` radians about +Y,
-  // counter-clockwise seen from above, and its radiance multiplied by `intensity`.
-  EnvironmentLight(const image::Image& map, double rotation, double intensity);
+  // The map is turned by `rotation` radians about +Y, counter-clockwise seen from above, and its
+  // radiance multiplied by `intensity`.
+  EnvironmentLight(environment::Map map, double rotation, double intensity);
 
   // Radiance from a unit direction: bilinear between the texels' centres, wrapped round, clamped at
   // the poles.
@@ -36,8 +36,8 @@ private:
   glm::dvec3 in_map(const glm::dvec3& world) const;
   int row_of(double y) const;
 
+  environment::Map map_;
   int width_, height_;
-  std::vector<glm::vec3> texels_;
   double cosine_, sine_, intensity_;
   // Cumulated power: of the rows, and within each row of its cells. A cell is a texel's rectangle;
   // inside it directions are drawn uniformly over the sphere.

@@ -197,7 +197,7 @@ glm::dvec3 color_of(const glm::dvec3& d) {
 }
 
 EnvironmentLight directions_environment() {
-  image::Image map(512, 256, 3);
+  environment::Map map = black_map(512, 256);
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {
       const double theta = std::numbers::pi * (y + 0.5) / map.height;
@@ -205,7 +205,7 @@ EnvironmentLight directions_environment() {
       const glm::dvec3 d(std::sin(theta) * std::cos(phi), std::cos(theta),
                          std::sin(theta) * std::sin(phi));
       for (int c = 0; c < 3; ++c)
-        map.at(x, y, c) = static_cast<float>(color_of(d)[c]);
+        texel(map, x, y)[c] = static_cast<float>(color_of(d)[c]);
     }
   return EnvironmentLight(map, 0.0, 1.0);
 }

@@ -30,11 +30,21 @@ Estimate trace(const Integrator& integrator, const Ray& ray, long samples, std::
   return ::testing::AssertionSuccess();
 }
 
+environment::Map black_map(int width, int height) {
+  environment::Map map{.name = "test", .width = width, .height = height};
+  map.rgb.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  return map;
+}
+
+float* texel(environment::Map& map, int x, int y) {
+  return map.rgb.data()
+         + 3
+               * (static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width)
+                  + static_cast<std::size_t>(x));
+}
+
 EnvironmentLight constant_environment(const glm::vec3& radiance) {
-  image::Image map(1, 1, 3);
-  for (int c = 0; c < 3; ++c)
-    map.at(0, 0, c) = radiance[c];
-  return EnvironmentLight(map, 0.0, 1.0);
+  return EnvironmentLight(environment::constant(radiance), 0.0, 1.0);
 }
 
 } // namespace gg::truth::test

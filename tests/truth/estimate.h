@@ -19,7 +19,9 @@ Estimate trace(const Integrator& integrator, const Ray& ray, long samples, std::
 ::testing::AssertionResult agrees(const Estimate& estimate, const glm::dvec3& expected,
                                   double slack);
 
-// A map of one colour.
+environment::Map black_map(int width, int height);
+// The three values of a pixel, to be written.
+float* texel(environment::Map& map, int x, int y);
 EnvironmentLight constant_environment(const glm::vec3& radiance);
 
 } // namespace gg::truth::test

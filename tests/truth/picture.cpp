@@ -24,12 +24,12 @@ struct Setting {
   Integrator integrator;
   Camera camera;
 
-  static image::Image sky() {
-    image::Image map(16, 8, 3);
+  static environment::Map sky() {
+    environment::Map map = black_map(16, 8);
     for (int y = 0; y < 8; ++y)
       for (int x = 0; x < 16; ++x)
         for (int c = 0; c < 3; ++c)
-          map.at(x, y, c) = y < 3 ? 2.0f : 0.2f;
+          texel(map, x, y)[c] = y < 3 ? 2.0f : 0.2f;
     return map;
   }
   static scene::Scene objects() {

@@ -191,14 +191,14 @@ TEST(truth_closure, smooth_lobes_are_the_limit_of_narrow_ones) {
 }
 
 // A dark sky with a bright disc, a sun of few texels, and black patches.
-image::Image sky() {
-  image::Image map(64, 32, 3);
+environment::Map sky() {
+  environment::Map map = black_map(64, 32);
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x)
       for (int c = 0; c < 3; ++c)
-        map.at(x, y, c) = y > 20 && x < 32 ? 0.0f : 0.1f * static_cast<float>(c + 1);
+        texel(map, x, y)[c] = y > 20 && x < 32 ? 0.0f : 0.1f * static_cast<float>(c + 1);
   for (int c = 0; c < 3; ++c)
-    map.at(40, 8, c) = 5000.0f;
+    texel(map, 40, 8)[c] = 5000.0f;
   return map;
 }
 
@@ -222,11 +222,13 @@ TEST(truth_environment, density_integrates_to_one_and_estimates_the_same_light) 
 
 TEST(truth_environment, directions_are_where_the_convention_puts_them) {
   // u = atan2(z, x) / 2 pi + 1/2, v = acos(y) / pi: +X in the middle, +Z at three quarters.
-  image::Image map(8, 4, 3);
-  map.at(4, 2, 0) = map.at(3, 2, 0) = map.at(4, 1, 0) = map.at(3, 1, 0) = 1.0f; // +X red
-  map.at(6, 2, 1) = map.at(5, 2, 1) = map.at(6, 1, 1) = map.at(5, 1, 1) = 1.0f; // +Z green
+  environment::Map map = black_map(8, 4);
+  texel(map, 4, 2)[0] = texel(map, 3, 2)[0] = texel(map, 4, 1)[0] = texel(map, 3, 1)[0] =
+      1.0f; // +X red
+  texel(map, 6, 2)[1] = texel(map, 5, 2)[1] = texel(map, 6, 1)[1] = texel(map, 5, 1)[1] =
+      1.0f; // +Z green
   for (int x = 0; x < 8; ++x)
-    map.at(x, 0, 2) = 1.0f; // +Y blue
+    texel(map, x, 0)[2] = 1.0f; // +Y blue
   const EnvironmentLight light(map, 0.0, 1.0);
   EXPECT_EQ(light.radiance({1.0, 0.0, 0.0}), glm::dvec3(1.0, 0.0, 0.0));
   EXPECT_EQ(light.radiance({0.0, 0.0, 1.0}), glm::dvec3(0.0, 1.0, 0.0));
