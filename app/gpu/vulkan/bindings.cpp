@@ -7,25 +7,14 @@ namespace gg::gpu::vulkan {
 
 using shaders::Kind;
 
-bool PassEncoder::Descriptor::operator==(const Descriptor& other) const {
-  return buffer.buffer == other.buffer.buffer && buffer.offset == other.buffer.offset
-         && buffer.range == other.buffer.range && image.imageView == other.image.imageView
-         && image.sampler == other.image.sampler && image.imageLayout == other.image.imageLayout;
-}
-
 void PassEncoder::bind_resources() {
-  const std::vector<Slot>& slots = pipeline_->slots;
-  const bool other_layout = set_layout_ != pipeline_->layout;
   previous_offsets_.swap(offsets_);
   const bool other_contents = describe_all();
-  if (other_layout || other_contents) {
-    set_ = commands_.descriptor_set(*pipeline_->layout);
-    set_layout_ = pipeline_->layout;
-    write_set();
-  } else if (offsets_ == previous_offsets_) {
+  if (set_layout_ != pipeline_->layout || other_contents)
+    find_set();
+  else if (offsets_ == previous_offsets_)
     return;
-  }
-  if (slots.empty()) return;
+  if (pipeline_->slots.empty()) return;
   vk_.CmdBindDescriptorSets(
       buffer_, drawing_ ? VK_PIPELINE_BIND_POINT_GRAPHICS : VK_PIPELINE_BIND_POINT_COMPUTE,
       pipeline_->layout->pipeline, 0, 1, &set_, static_cast<std::uint32_t>(offsets_.size()),
@@ -48,14 +37,27 @@ bool PassEncoder::describe_all() {
     if (applied_[i] == bound.version) continue;
     const Descriptor wanted = describe_one(slot, bound);
     applied_[i] = bound.version;
-    if (wanted == descriptors_[i]) continue;
+    if (wanted.identity == descriptors_[i].identity) continue;
     descriptors_[i] = wanted;
     changed = true;
   }
   return changed;
 }
 
-void PassEncoder::check_buffer(const Slot& slot, const Bound& bound) const {
+PassEncoder::Descriptor PassEncoder::describe_one(const Slot& slot, const Bound& bound) {
+  switch (slot.binding.kind) {
+  case Kind::uniform_block:
+  case Kind::storage_block:
+    return describe_buffer(slot, bound);
+  case Kind::sampled:
+    return describe_texture(slot, bound);
+  case Kind::image:
+    return describe_image(slot, bound);
+  }
+  return {};
+}
+
+PassEncoder::Descriptor PassEncoder::describe_buffer(const Slot& slot, const Bound& bound) {
   const std::string& name = slot.binding.name;
   if (bound.what != Bound::What::buffer) refuse(name + " is bound to no buffer");
   GpuBuffer& buffer = of(bound.buffer);
@@ -68,36 +70,43 @@ void PassEncoder::check_buffer(const Slot& slot, const Bound& bound) const {
            + std::to_string(bound.bytes) + " of " + describe(buffer.desc) + " are bound");
   if (slot.binding.writes || !is_ready(buffer, buffer_read(drawing_)))
     check_declared(*pass_, bound.buffer, slot.binding.writes);
+  // The offset of a uniform block is given when the set is bound.
+  const VkDeviceSize offset = storage ? bound.offset : 0;
+  const VkDeviceSize range = storage ? bound.bytes : slot.binding.bytes;
+  return {.buffer = {buffer.handle, offset, range}, .identity = {buffer.serial, offset, range}};
 }
 
-PassEncoder::Descriptor PassEncoder::describe_one(const Slot& slot, const Bound& bound) {
-  switch (slot.binding.kind) {
-  case Kind::uniform_block: // its offset is given when the set is bound
-    check_buffer(slot, bound);
-    return {.buffer = {of(bound.buffer).handle, 0, slot.binding.bytes}};
-  case Kind::storage_block:
-    check_buffer(slot, bound);
-    return {.buffer = {of(bound.buffer).handle, bound.offset, bound.bytes}};
-  case Kind::sampled: {
-    if (bound.what != Bound::What::texture) refuse(slot.binding.name + " is bound to no texture");
-    check_bound(bound.view, slot.binding, pipeline_->label);
-    check_declared(*pass_, bound.view, false);
-    GpuTexture& texture = of(bound.view.texture);
-    const Range range = texture.range_of(bound.view);
-    return {.image = {of(bound.sampler).handle, texture.view(bound.view, slot.binding.shape),
-                      texture.state(range.level, range.layer).layout}};
-  }
-  case Kind::image:
-    if (bound.what != Bound::What::image) refuse(slot.binding.name + " is bound to no image");
-    check_bound(bound.view, slot.binding, pipeline_->label);
-    check_declared(*pass_, bound.view, true);
-    return {.image = {VK_NULL_HANDLE, of(bound.view.texture).view(bound.view, slot.binding.shape),
-                      VK_IMAGE_LAYOUT_GENERAL}};
-  }
-  return {};
+PassEncoder::Descriptor PassEncoder::describe_texture(const Slot& slot, const Bound& bound) {
+  if (bound.what != Bound::What::texture) refuse(slot.binding.name + " is bound to no texture");
+  check_bound(bound.view, slot.binding, pipeline_->label);
+  check_declared(*pass_, bound.view, false);
+  GpuTexture& texture = of(bound.view.texture);
+  const GpuSampler& sampler = of(bound.sampler);
+  const Range range = texture.range_of(bound.view);
+  const GpuTexture::Seen seen = texture.view(bound.view, slot.binding.shape);
+  const VkImageLayout layout = texture.state(range.level, range.layer).layout;
+  return {.image = {sampler.handle, seen.handle, layout},
+          .identity = {seen.serial, sampler.serial, static_cast<std::uint64_t>(layout)}};
 }
 
-void PassEncoder::write_set() {
+PassEncoder::Descriptor PassEncoder::describe_image(const Slot& slot, const Bound& bound) {
+  if (bound.what != Bound::What::image) refuse(slot.binding.name + " is bound to no image");
+  check_bound(bound.view, slot.binding, pipeline_->label);
+  check_declared(*pass_, bound.view, true);
+  const GpuTexture::Seen seen = of(bound.view.texture).view(bound.view, slot.binding.shape);
+  return {.image = {VK_NULL_HANDLE, seen.handle, VK_IMAGE_LAYOUT_GENERAL},
+          .identity = {seen.serial, 0, VK_IMAGE_LAYOUT_GENERAL}};
+}
+
+void PassEncoder::find_set() {
+  contents_.clear();
+  for (const Descriptor& descriptor : descriptors_)
+    contents_.insert(contents_.end(), descriptor.identity.begin(), descriptor.identity.end());
+  const SetCache::Found found = sets_.find(*pipeline_->layout, contents_);
+  set_ = found.set;
+  set_layout_ = pipeline_->layout;
+  if (found.holds_it) return;
+
   writes_.clear();
   for (std::size_t i = 0; i < descriptors_.size(); ++i)
     writes_.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,

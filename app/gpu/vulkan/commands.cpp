@@ -9,7 +9,7 @@ namespace gg::gpu::vulkan {
 
 namespace {
 
-constexpr VkDeviceSize page_bytes = VkDeviceSize{2} << 20;
+constexpr VkDeviceSize page_bytes = VkDeviceSize{1} << 20;
 // What a slot keeps for its next turn: more than any frame stages; loading a scene takes more.
 constexpr VkDeviceSize kept_bytes = VkDeviceSize{8} << 20;
 // What one submission stages at most before it is sent off: bounds the host memory that loading a
@@ -67,6 +67,9 @@ Commands::Commands(Context& context) : context_(context) {
     check(vk.AllocateCommandBuffers(context.device(), &buffer, &made.commands),
           "allocating a command buffer");
     context.name(VK_OBJECT_TYPE_COMMAND_BUFFER, made.commands, fmt::format("commands {}", i));
+    // Made now, so that no later frame makes it because its turn comes to use this slot.
+    made.pages.push_back(
+        std::make_unique<HostBuffer>(context, page_bytes, MemoryKind::upload, "staging"));
   }
 }
 
@@ -90,7 +93,6 @@ VkCommandBuffer Commands::open() {
   VkDeviceSize kept = 0;
   std::erase_if(next.pages, [&](const auto& page) { return (kept += page->bytes) > kept_bytes; });
   next.page = 0, next.used = 0, next.staged = 0;
-  next.sets.restart();
 
   check(context_.vk().ResetCommandPool(context_.device(), next.pool, 0), "reusing a command pool");
   const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
@@ -114,10 +116,6 @@ Staged Commands::stage(VkDeviceSize bytes) {
   to.used += bytes;
   to.staged += bytes;
   return staged;
-}
-
-VkDescriptorSet Commands::descriptor_set(const SetLayout& layout) {
-  return slot().sets.take(layout);
 }
 
 bool Commands::is_full() const {

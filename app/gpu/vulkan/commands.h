@@ -1,10 +1,9 @@
 // Command buffers in a ring: one is recorded while the device works on those before it. Each slot
-// of the ring owns what its submission needs until the device is done with it: the command buffer,
-// staging memory, descriptor sets.
+// of the ring owns what its submission needs until the device is done with it: the command buffer
+// and staging memory.
 #pragma once
 
 #include "gpu/vulkan/context.h"
-#include "gpu/vulkan/descriptors.h"
 
 #include <array>
 #include <memory>
@@ -42,9 +41,8 @@ public:
   // The command buffer that is being recorded, begun if none is. Beginning waits for the device if
   // it is a whole ring behind.
   VkCommandBuffer open();
-  // Of the open command buffer's slot.
+  // Room in the open command buffer's slot.
   Staged stage(VkDeviceSize bytes);
-  VkDescriptorSet descriptor_set(const SetLayout& layout);
 
   void submit();        // what has been recorded, if anything
   void finish();        // submit, and wait for all of it
@@ -56,7 +54,7 @@ private:
   // Two keep the device busy while the host records; a third evens out frames of unequal length.
   static constexpr std::size_t slot_count = 3;
   struct Slot {
-    explicit Slot(Context& owner) : context(owner), sets(owner) {}
+    explicit Slot(Context& owner) : context(owner) {}
     ~Slot();
     Slot(const Slot&) = delete;
     Slot& operator=(const Slot&) = delete;
@@ -69,7 +67,6 @@ private:
     std::size_t page = 0;  // that is being filled
     VkDeviceSize used = 0; // of it
     VkDeviceSize staged = 0;
-    SetArena sets;
   };
   Slot& slot() { return *slots_[current_]; }
 

@@ -62,6 +62,9 @@ public:
   Allocation bind_memory(VkBuffer buffer, MemoryKind kind, const std::string& doing);
   Allocation bind_memory(VkImage image, const std::string& doing);
 
+  // Tells objects apart for ever, where Vulkan's handles are used again after their object is gone.
+  std::uint64_t next_serial() { return ++serial_; }
+
   DeviceCounters counters;
   std::uint64_t held_bytes = 0; // by buffers and textures that are alive
 
@@ -77,6 +80,7 @@ private:
   VkQueue queue_ = VK_NULL_HANDLE;
   VkSemaphore timeline_ = VK_NULL_HANDLE;
   std::unique_ptr<Memory> memory_;
+  std::uint64_t serial_ = 0;
   struct Retired {
     std::uint64_t value = 0;
     std::function<void()> destroy;

@@ -9,6 +9,8 @@ namespace {
 // Sets are allocated this many at a time, from a pool made for just them: nothing is guessed and
 // nothing runs out. Large enough that a scene of a thousand draws asks the driver 16 times, once.
 constexpr std::uint32_t sets_at_once = 64;
+// A set that no submission has used for so long holds what is gone, or can well be written again.
+constexpr std::uint64_t forgotten_after = 64;
 
 } // namespace
 
@@ -71,14 +73,44 @@ const SetLayout& SetLayouts::find_or_make(std::span<const shaders::Binding> bind
   return *layouts_.emplace(std::move(key), std::move(layout)).first->second;
 }
 
-SetArena::~SetArena() {
+std::size_t SetCache::Hash::operator()(const SetContents& contents) const {
+  std::uint64_t hash = 0xcbf29ce484222325ull; // FNV-1a, by words
+  for (const std::uint64_t word : contents)
+    hash = (hash ^ word) * 0x100000001b3ull;
+  return static_cast<std::size_t>(hash ^ (hash >> 32));
+}
+
+SetCache::~SetCache() {
   for (VkDescriptorPool pool : pools_)
     context_.vk().DestroyDescriptorPool(context_.device(), pool, nullptr);
 }
 
-VkDescriptorSet SetArena::take(const SetLayout& layout) {
+SetCache::Found SetCache::find(const SetLayout& layout, const SetContents& contents) {
   Sets& sets = sets_[&layout];
-  if (sets.used == sets.sets.size()) {
+  const std::uint64_t now = context_.submitted + 1;
+  if (const auto known = sets.by_contents.find(contents); known != sets.by_contents.end()) {
+    known->second->last_use = now;
+    sets.by_use.splice(sets.by_use.begin(), sets.by_use, known->second);
+    return {known->second->set, true};
+  }
+
+  Entry entry{contents, VK_NULL_HANDLE, now};
+  if (!sets.by_use.empty()) {
+    const Entry& oldest = sets.by_use.back();
+    if (oldest.last_use + forgotten_after < now && oldest.last_use <= context_.completed()) {
+      entry.set = oldest.set;
+      sets.by_contents.erase(oldest.contents);
+      sets.by_use.pop_back();
+    }
+  }
+  if (!entry.set) entry.set = take_blank(layout, sets);
+  sets.by_use.push_front(std::move(entry));
+  sets.by_contents.emplace(contents, sets.by_use.begin());
+  return {sets.by_use.front().set, false};
+}
+
+VkDescriptorSet SetCache::take_blank(const SetLayout& layout, Sets& sets) {
+  if (sets.blank.empty()) {
     std::vector<VkDescriptorPoolSize> sizes = layout.sizes;
     for (auto& size : sizes)
       size.descriptorCount *= sets_at_once;
@@ -96,18 +128,16 @@ VkDescriptorSet SetArena::take(const SetLayout& layout) {
                                                .descriptorPool = pool,
                                                .descriptorSetCount = sets_at_once,
                                                .pSetLayouts = layouts.data()};
-    sets.sets.resize(sets.used + sets_at_once);
-    check(context_.vk().AllocateDescriptorSets(context_.device(), &allocate,
-                                               sets.sets.data() + sets.used),
+    std::vector<VkDescriptorSet> made(sets_at_once);
+    check(context_.vk().AllocateDescriptorSets(context_.device(), &allocate, made.data()),
           "allocating descriptor sets");
-    context_.counters.created += 1 + sets_at_once;
+    sets.blank = std::move(made);
+    ++context_.counters.created;
   }
-  return sets.sets[sets.used++];
-}
-
-void SetArena::restart() {
-  for (auto& [layout, sets] : sets_)
-    sets.used = 0;
+  const VkDescriptorSet set = sets.blank.back();
+  sets.blank.pop_back();
+  ++context_.counters.created;
+  return set;
 }
 
 } // namespace gg::gpu::vulkan

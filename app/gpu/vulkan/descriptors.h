@@ -1,10 +1,11 @@
 // Descriptor sets: layouts shared between the pipelines that bind the same things, and sets that
-// are written again frame after frame instead of being allocated.
+// are kept for what they hold.
 #pragma once
 
 #include "gpu/shaders/module.h"
 #include "gpu/vulkan/context.h"
 
+#include <list>
 #include <map>
 #include <memory>
 #include <span>
@@ -41,22 +42,41 @@ private:
   std::map<Key, std::unique_ptr<SetLayout>> layouts_;
 };
 
-// The sets that one submission uses. restart() makes all of them free again.
-class SetArena {
-public:
-  explicit SetArena(Context& context) : context_(context) {}
-  ~SetArena();
-  SetArena(const SetArena&) = delete;
-  SetArena& operator=(const SetArena&) = delete;
+// What a descriptor set holds, as numbers that are never used for anything else again.
+using SetContents = std::vector<std::uint64_t>;
 
-  VkDescriptorSet take(const SetLayout& layout);
-  void restart();
+// Sets by what they hold: written once, found again frame after frame. Those of objects that are
+// gone are written anew for others.
+class SetCache {
+public:
+  explicit SetCache(Context& context) : context_(context) {}
+  ~SetCache();
+  SetCache(const SetCache&) = delete;
+  SetCache& operator=(const SetCache&) = delete;
+
+  struct Found {
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    bool holds_it = false; // else it is the caller's to write, now
+  };
+  // For use in the submission that is being recorded.
+  Found find(const SetLayout& layout, const SetContents& contents);
 
 private:
-  struct Sets {
-    std::vector<VkDescriptorSet> sets;
-    std::size_t used = 0;
+  struct Entry {
+    SetContents contents;
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    std::uint64_t last_use = 0; // the submission's value on the timeline
   };
+  struct Hash {
+    std::size_t operator()(const SetContents& contents) const;
+  };
+  struct Sets {
+    std::list<Entry> by_use; // the latest first
+    std::unordered_map<SetContents, std::list<Entry>::iterator, Hash> by_contents;
+    std::vector<VkDescriptorSet> blank;
+  };
+  VkDescriptorSet take_blank(const SetLayout& layout, Sets& sets);
+
   Context& context_;
   std::vector<VkDescriptorPool> pools_;
   std::unordered_map<const SetLayout*, Sets> sets_;

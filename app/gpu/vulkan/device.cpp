@@ -35,7 +35,8 @@ void require(const void* object, const char* doing) {
 VulkanDevice::VulkanDevice(std::shared_ptr<Context> context)
     : context_(std::move(context)), limits_(limits_of(context_->limits())), layouts_(*context_),
       cache_(*context_), commands_(*context_), transfers_(*context_, commands_),
-      barriers_(*context_), encoder_(*context_, commands_, names_, limits_), timers_(*context_) {}
+      barriers_(*context_), sets_(*context_), encoder_(*context_, sets_, names_, limits_),
+      timers_(*context_) {}
 
 VulkanDevice::~VulkanDevice() {
   samplers_.clear();

@@ -55,6 +55,7 @@ private:
   Commands commands_;
   Transfers transfers_;
   Barriers barriers_;
+  SetCache sets_;
   PassEncoder encoder_;
   Timers timers_;
   std::vector<SamplerRef> samplers_;

@@ -3,10 +3,11 @@
 
 #include "gpu/checks.h"
 #include "gpu/names.h"
-#include "gpu/vulkan/commands.h"
+#include "gpu/vulkan/descriptors.h"
 #include "gpu/vulkan/pipeline.h"
 #include "gpu/vulkan/resources.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -14,8 +15,8 @@ namespace gg::gpu::vulkan {
 
 class PassEncoder final : public Encoder {
 public:
-  PassEncoder(Context& context, Commands& commands, const Names& names, const Limits& limits)
-      : context_(context), vk_(context.vk()), commands_(commands), names_(names), limits_(limits) {}
+  PassEncoder(Context& context, SetCache& sets, const Names& names, const Limits& limits)
+      : context_(context), vk_(context.vk()), sets_(sets), names_(names), limits_(limits) {}
 
   // The barriers of the pass have been issued. Begins drawing into its targets.
   void begin(VkCommandBuffer commands, const Pass& pass);
@@ -45,27 +46,29 @@ private:
     View view;
     SamplerRef sampler;
   };
-  // What a descriptor holds.
+  // What a descriptor holds, and the numbers that tell it from all others.
   struct Descriptor {
     VkDescriptorBufferInfo buffer{};
     VkDescriptorImageInfo image{};
-    bool operator==(const Descriptor& other) const;
+    std::array<std::uint64_t, 3> identity{};
   };
 
   Bound* find(std::string_view name);
   void begin_drawing();
   void prepare(bool draws); // everything that the next draw or dispatch needs
   void bind_resources();
-  bool describe_all(); // true if descriptors (not only offsets) differ from those in the set
+  bool describe_all(); // true if descriptors (not only offsets) differ from those described last
   Descriptor describe_one(const Slot& slot, const Bound& bound);
-  void check_buffer(const Slot& slot, const Bound& bound) const;
-  void write_set();
+  Descriptor describe_buffer(const Slot& slot, const Bound& bound);
+  Descriptor describe_texture(const Slot& slot, const Bound& bound);
+  Descriptor describe_image(const Slot& slot, const Bound& bound);
+  void find_set();
   void check_vertices() const;
   [[noreturn]] void refuse(const std::string& what) const;
 
   Context& context_;
   const DeviceFunctions& vk_;
-  Commands& commands_;
+  SetCache& sets_;
   const Names& names_;
   const Limits& limits_;
 
@@ -80,9 +83,10 @@ private:
   VkDescriptorSet set_ = VK_NULL_HANDLE;                  // bound now,
   const SetLayout* set_layout_ = nullptr;                 // of this layout,
   std::vector<Descriptor> descriptors_;                   // holding these,
-  std::vector<std::uint64_t> applied_;                    // of these versions, by slot
-  std::vector<std::uint32_t> offsets_, previous_offsets_; // bound with these
-  std::vector<VkWriteDescriptorSet> writes_;              // kept for its memory
+  std::vector<std::uint64_t> applied_;                    // of these versions, by slot,
+  std::vector<std::uint32_t> offsets_, previous_offsets_; // with these
+  SetContents contents_;                                  // kept for their memory
+  std::vector<VkWriteDescriptorSet> writes_;
 
   std::vector<BufferRef> vertices_;
   BufferRef indices_;

@@ -11,8 +11,8 @@ namespace gg::gpu::vulkan {
 
 namespace {
 
-// Throws Error(device) if the device cannot use images of that format so.
-void check_format(const Context& context, const VkImageCreateInfo& info, const TextureDesc& desc) {
+// Throws Error(device) if the device cannot have such an image.
+void check_support(const Context& context, const VkImageCreateInfo& info, const TextureDesc& desc) {
   const VkPhysicalDeviceImageFormatInfo2 wanted{
       .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_IMAGE_FORMAT_INFO_2,
       .format = info.format,
@@ -29,6 +29,8 @@ void check_format(const Context& context, const VkImageCreateInfo& info, const T
                             describe(desc), static_cast<int>(info.format)),
                 "Choose another --device or --backend opengl");
   check(result, "asking for the limits of textures");
+  if (bytes(desc) > has.imageFormatProperties.maxResourceSize)
+    throw error_of(VK_ERROR_OUT_OF_DEVICE_MEMORY, "creating the " + describe(desc));
 }
 
 } // namespace
@@ -54,6 +56,7 @@ GpuBuffer::GpuBuffer(std::shared_ptr<Context> owner, const BufferDesc& what)
     vk.DestroyBuffer(context->device(), handle, nullptr);
     throw;
   }
+  serial = context->next_serial();
   ++context->counters.created;
   context->held_bytes += memory.bytes;
 }
@@ -85,7 +88,7 @@ GpuTexture::GpuTexture(std::shared_ptr<Context> owner, const TextureDesc& what)
     info.flags |= VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
   if (desc.shape == Shape::d3 && has(desc.use, Use::attachment))
     info.flags |= VK_IMAGE_CREATE_2D_ARRAY_COMPATIBLE_BIT; // slices are drawn into
-  check_format(*context, info, desc);
+  check_support(*context, info, desc);
   if (desc.shape == Shape::cube_array && !context->features().imageCubeArray)
     throw Error(ExitCode::device, "vulkan",
                 "the " + describe(desc) + ": the device has no arrays of cubes",
@@ -110,7 +113,7 @@ GpuTexture::~GpuTexture() {
   context->held_bytes -= memory.bytes;
   context->retire([&shared = *context, image = handle, piece = memory, views = std::move(views_)] {
     for (const CachedView& view : views)
-      shared.vk().DestroyImageView(shared.device(), view.handle, nullptr);
+      shared.vk().DestroyImageView(shared.device(), view.seen.handle, nullptr);
     shared.vk().DestroyImage(shared.device(), image, nullptr);
     shared.memory().give(piece);
   });
@@ -124,7 +127,7 @@ Range GpuTexture::range_of(const View& view) const {
   return range;
 }
 
-VkImageView GpuTexture::view(const View& view, Shape shape) {
+GpuTexture::Seen GpuTexture::view(const View& view, Shape shape) {
   if (desc.shape == Shape::d3 && shape != Shape::d3)
     throw Error(ExitCode::internal, "vulkan",
                 "the " + describe(desc)
@@ -139,15 +142,15 @@ VkImageView GpuTexture::view(const View& view, Shape shape) {
 VkImageView GpuTexture::attachment(const View& view) {
   Range range = range_of(view);
   range.layer = static_cast<std::uint32_t>(view.layer); // a slice of a volume is drawn into as one
-  return find_or_make(VK_IMAGE_VIEW_TYPE_2D, range);
+  return find_or_make(VK_IMAGE_VIEW_TYPE_2D, range).handle;
 }
 
-VkImageView GpuTexture::find_or_make(VkImageViewType type, const Range& range) {
+GpuTexture::Seen GpuTexture::find_or_make(VkImageViewType type, const Range& range) {
   for (const CachedView& cached : views_)
     if (cached.type == type && cached.range.level == range.level
         && cached.range.level_count == range.level_count && cached.range.layer == range.layer
         && cached.range.layer_count == range.layer_count)
-      return cached.handle;
+      return cached.seen;
 
   const VkImageViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
                                    .image = handle,
@@ -159,10 +162,10 @@ VkImageView GpuTexture::find_or_make(VkImageViewType type, const Range& range) {
   VkImageView made = VK_NULL_HANDLE;
   check(context->vk().CreateImageView(context->device(), &info, nullptr, &made),
         ("viewing the " + describe(desc)).c_str());
-  views_.push_back({type, range, made});
+  views_.push_back({type, range, {made, context->next_serial()}});
   ++context->counters.created;
   context->name(VK_OBJECT_TYPE_IMAGE_VIEW, made, desc.label);
-  return made;
+  return views_.back().seen;
 }
 
 GpuSampler::GpuSampler(std::shared_ptr<Context> owner, const SamplerDesc& what)
@@ -187,6 +190,7 @@ GpuSampler::GpuSampler(std::shared_ptr<Context> owner, const SamplerDesc& what)
                                  .maxLod = one_level ? 0.25f : desc.max_level};
   check(context->vk().CreateSampler(context->device(), &info, nullptr, &handle),
         "creating a sampler");
+  serial = context->next_serial();
   ++context->counters.created;
 }
 

@@ -16,6 +16,7 @@ struct GpuBuffer final : Buffer {
   ~GpuBuffer() override;
 
   std::shared_ptr<Context> context;
+  std::uint64_t serial = 0; // never another object's (Context::next_serial)
   VkBuffer handle = VK_NULL_HANDLE;
   Allocation memory;
   State state;
@@ -35,8 +36,12 @@ struct GpuTexture final : Texture {
 
   // The subresources of a view of this texture. Throws Error(internal) if it has no such.
   Range range_of(const View& view) const;
+  struct Seen {
+    VkImageView handle = VK_NULL_HANDLE;
+    std::uint64_t serial = 0;
+  };
   // As a shader that declares `shape` sees it, which has been checked; made at first use and kept.
-  VkImageView view(const View& view, Shape shape);
+  Seen view(const View& view, Shape shape);
   VkImageView attachment(const View& view); // one level of one layer, face or slice
 
   State& state(std::uint32_t level, std::uint32_t layer) {
@@ -53,9 +58,9 @@ private:
   struct CachedView {
     VkImageViewType type;
     Range range;
-    VkImageView handle;
+    Seen seen;
   };
-  VkImageView find_or_make(VkImageViewType type, const Range& range);
+  Seen find_or_make(VkImageViewType type, const Range& range);
 
   std::uint32_t layers_ = 1;
   std::vector<State> states_; // [level][layer]
@@ -67,6 +72,7 @@ struct GpuSampler final : Sampler {
   ~GpuSampler() override;
 
   std::shared_ptr<Context> context;
+  std::uint64_t serial = 0; // never another object's
   VkSampler handle = VK_NULL_HANDLE;
 };
 
