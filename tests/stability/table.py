@@ -2,7 +2,8 @@
 
     table.py CASES.csv TRUTH.csv NAME=VALUES.csv... [--value f] [--split] [--check NAME=float|double[,everywhere]]...
 
-Relative errors; `noise` is what half an ulp of input noise does to the truth itself. With --check, every value of the
+Relative errors; `noise` is what half an ulp of input noise does to the truth itself; `bad` counts NaN or Inf / negative
+values / values that are not exactly 0 where the configuration is impossible. With --check, every value of the
 named file is held to the limits below and the exit status is 1 if one breaks.
 """
 import argparse
@@ -37,7 +38,6 @@ class Compared:
 
     def __init__(self, got, truth, noise, precision):
         floor, scale = FLOOR[precision], SCALE[precision]
-        self.bad = ~numpy.isfinite(got) | (got < 0)
         self.not_finite = ~numpy.isfinite(got)
         self.negative = got < 0
         got = numpy.where(numpy.isfinite(got), got, 0)
@@ -76,7 +76,15 @@ def percentile(values, share=0.99):
 
 
 def number(x):
+    if x > 1e6:
+        return "> 1e6"
     return "0" if x == 0 else f"{x:.1e}".replace("e-0", "e-").replace("e+0", "e").replace("e+", "e")
+
+
+def counts(compared, rows):
+    """NaN or Inf / negative / something where exactly 0 is right."""
+    each = [int(c[rows].sum()) for c in (compared.not_finite, compared.negative, compared.not_zero)]
+    return " / ".join(map(str, each)) if any(each) else "0"
 
 
 def table(groups, compared, names):
@@ -86,12 +94,12 @@ def table(groups, compared, names):
     print("| " + " | ".join(head) + " |")
     print("|" + "---|" * len(head))
     for key, rows in groups.items():
-        cells = [key, str(len(rows)), number(percentile(compared[names[0]].noise[rows] / compared[names[0]].scale))]
+        first = compared[names[0]]
+        cells = [key, str(len(rows)), number(percentile(first.noise[rows] / first.scale))]
         for name in names:
             c = compared[name]
-            bad = int((c.bad | c.not_zero)[rows].sum())
-            cells += [number(numpy.median(c.error[rows])), number(percentile(c.error[rows])),
-                      number(c.error[rows].max()), str(bad) if bad else ""]
+            error = c.error[rows]
+            cells += [number(numpy.median(error)), number(percentile(error)), number(error.max()), counts(c, rows)]
         print("| " + " | ".join(cells) + " |")
 
 
@@ -131,6 +139,7 @@ def main():
         return Compared(files[name][value], truth[value], truth[value + "_noise"], precision)
 
     by_class = grouped(cases, lambda r: r["class"])
+    by_class["all"] = numpy.arange(len(cases))
     by_all = grouped(cases, lambda r: f"{r['class']} {r['lobe']} {r['dist']}")
     table(by_all if arguments.split else by_class, {n: compare(n, arguments.value) for n in files}, list(files))
 
