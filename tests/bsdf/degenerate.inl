@@ -86,6 +86,10 @@ TEST(GG_SUITE, impossible_sides_are_exactly_zero) {
   EXPECT_FALSE(transmissionFacet(-above, above, n, Real(1)).exists);
   EXPECT_TRUE(reflectionFacet(below, at(2.9, 0), n, eta)
                   .exists); // both below: the other side's mirror
+  // A facet that stands exactly upright: wo.z + eta wi.z = 0, with wo and wi on its two sides.
+  const Real half(0.5), quarter(0.25), x = Real(std::sqrt(0.9375)), y = Real(std::sqrt(0.75));
+  EXPECT_FALSE(transmissionFacet(vec3(-y, 0, -half), vec3(x, 0, quarter), n, half).exists);
+  EXPECT_FALSE(preciseTransmissionFacet(vec3(-y, 0, -half), vec3(x, 0, quarter), n, half).exists);
   const auto none = reflectionFacet(above, below, n, eta);
   EXPECT_EQ(reflectionF(none, Real(1), Real(1), eta), 0);
   EXPECT_EQ(transmissionF(none, Real(1), Real(1), eta), 0);
@@ -111,3 +115,12 @@ TEST(GG_SUITE, fresnel_answers_any_angle_and_index) {
     }
 }
 
+// wi . h = 1 + wi . wo is never negative, but for its rounding: index 1 has to be told, not found out.
+TEST(GG_SUITE, matched_indices_have_no_facet_however_straight_the_light) {
+  const vec3 n(0, 0, 1);
+  for (int i = 0; i < 2000; ++i) {
+    const vec3 wo = at(0.3 + 1e-4 * i, 0.001 * i), wi = at(3.141592653589793 - 0.3 - 1e-4 * i, 3.141592653589793 + 0.001 * i);
+    EXPECT_FALSE(transmissionFacet(wi, wo, n, Real(1)).exists) << i;
+    EXPECT_FALSE(preciseTransmissionFacet(wi, wo, n, Real(1)).exists) << i;
+  }
+}
