@@ -9,7 +9,6 @@
 #include "frame/renderer.h"
 #include "image/image.h"
 #include "scene/undrawn.h"
-#include "tables/device_tables.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -116,7 +115,6 @@ void capture(const Options& o) {
 
   const std::unique_ptr<gpu::Device> device = open_device(o.device);
   start = Clock::now();
-  const auto tables = tables::upload(*device);
   std::optional<environment::Stack> stack;
   if (map) {
     stack = environment::build(*device, *map);
@@ -125,7 +123,7 @@ void capture(const Options& o) {
   }
   const double environment_ms = ms_since(start);
 
-  frame::Renderer renderer(*device, scene, tables, desc);
+  frame::Renderer renderer(*device, scene, desc);
   {
     Progress progress("drawing", desc.samples);
     for (int i = 0; i < desc.samples; ++i) {

@@ -3,10 +3,13 @@
 namespace gg::commands {
 
 void add_all(CLI::App& app) {
+  add_capture(app);
   add_compare(app);
   add_devices(app);
   add_eval(app);
   add_figures(app);
+  add_tables(app);
+  add_truth(app);
   add_unfinished(app);
 }
 

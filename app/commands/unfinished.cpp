@@ -14,7 +14,6 @@ void add_unfinished(CLI::App& app) {
     const char *name, *description, *instead;
   };
   for (const Unfinished& command : {
-           Unfinished{"truth", "Path trace the scene", ""},
            Unfinished{"report", "Speed against error over scenes and methods", ""},
            Unfinished{"needs", "What the scene needs", ""},
            Unfinished{"view", "Interactive viewer", "Use capture for a picture."},

@@ -2,7 +2,6 @@
 
 #include "environment/stack.h"
 #include "frame/camera.h"
-#include "tables/device_tables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +66,20 @@ std::vector<scene::Index> streams_of(const FeatureKey& key, const scene::Primiti
   return streams;
 }
 
+// The tables that stand for a material's lobe.
+tables::Model model_of(const scene::Material& material, bool correlated_smith) {
+  switch (material.distribution) {
+  case scene::Distribution::ggx:
+    return {tables::Distribution::ggx,
+            correlated_smith ? tables::Smith::correlated : tables::Smith::separable};
+  case scene::Distribution::beckmann:
+    return {tables::Distribution::beckmann, tables::Smith::separable};
+  case scene::Distribution::phong:
+    return {tables::Distribution::phong, tables::Smith::separable};
+  }
+  return {};
+}
+
 } // namespace
 
 struct Renderer::Draw {
@@ -86,11 +99,11 @@ struct Renderer::Draw {
   bool mirrored, both_sides;
 };
 
-Renderer::Renderer(gpu::Device& device, const scene::Scene& scene,
-                   const tables::DeviceTables& tables, const FrameDesc& desc)
-    : device_(device), desc_(desc), tables_(tables), uploaded_(device, scene),
+Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDesc& desc)
+    : device_(device), desc_(desc), uploaded_(device, scene),
       nearest_(device.create(
           gpu::SamplerDesc{.magnify = gpu::Filter::nearest, .minify = gpu::Filter::nearest})) {
+  upload_tables();
   make_targets();
   make_frame_blocks();
   make_draws();
@@ -98,6 +111,14 @@ Renderer::Renderer(gpu::Device& device, const scene::Scene& scene,
 }
 
 Renderer::~Renderer() = default;
+
+void Renderer::upload_tables() {
+  if (!desc_.environment.stack) return;
+  std::vector<tables::Model> wanted;
+  for (const scene::Material& material : uploaded_.scene().materials)
+    if (!material.unlit) wanted.push_back(model_of(material, desc_.correlated_smith));
+  tables_ = tables::upload(device_, wanted);
+}
 
 void Renderer::make_targets() {
   const auto target = [&](const char* label, gpu::Format format, gpu::Use use) {
@@ -128,6 +149,7 @@ void Renderer::make_frame_blocks() {
     f.viewDirection = glm::vec4(-glm::normalize(glm::vec3(camera.world[2])), 0.0f);
     f.environment = {std::cos(desc_.environment.rotation), std::sin(desc_.environment.rotation),
                      desc_.environment.intensity, 0.0f};
+    if (desc_.environment.stack) f.stack = desc_.environment.stack->shape;
     f.counts = {static_cast<int>(uploaded_.scene().lights.size()), 0, 0, 0};
     frames.push_back(f);
   }
@@ -208,6 +230,12 @@ void Renderer::record(gpu::Encoder& encoder, const Draw& draw) const {
                  materials.size);
   for (std::size_t k = 0; k < draw.streams.size(); ++k)
     encoder.vertices(static_cast<int>(k), uploaded_.stream(draw.streams[k]));
+  if (desc_.environment.stack && !draw.material->unlit) {
+    const tables::ModelTables& tables =
+        tables_.of(model_of(*draw.material, desc_.correlated_smith));
+    encoder.texture("energyTable", gpu::whole(tables.energy), tables_.sampler);
+    encoder.texture("lobeTable", gpu::whole(tables.lobe), tables_.sampler);
+  }
   for (const Draw::Map& map : draw.maps)
     encoder.texture(map.name, map.texture.view, map.texture.sampler);
   encoder.cull(draw.both_sides ? gpu::Cull::none : gpu::Cull::back);
@@ -216,11 +244,31 @@ void Renderer::record(gpu::Encoder& encoder, const Draw& draw) const {
   encoder.draw_indexed(draw.index_count);
 }
 
-void Renderer::record_sky(gpu::Encoder& encoder, int) const {
+void Renderer::bind_environment(gpu::Encoder& encoder) const {
+  const environment::Stack& stack = *desc_.environment.stack;
+  encoder.texture("stackEven", gpu::whole(stack.even), stack.sampler);
+  encoder.texture("stackOdd", gpu::whole(stack.odd), stack.sampler);
+  encoder.texture("irradianceCube", gpu::whole(stack.irradiance), stack.sampler);
+}
+
+void Renderer::record_sky(gpu::Encoder& encoder) const {
   encoder.use(sky_);
-  encoder.texture("environmentStack", gpu::whole(desc_.environment.stack->cube),
-                  desc_.environment.stack->sampler);
   encoder.draw(3);
+}
+
+std::vector<gpu::View> Renderer::sampled() const {
+  std::vector<gpu::View> views;
+  for (const auto* draws : {&opaque_, &blended_})
+    for (const Draw& draw : *draws)
+      for (const Draw::Map& map : draw.maps)
+        views.push_back(map.texture.view);
+  if (const environment::Stack* stack = desc_.environment.stack)
+    for (const gpu::TextureRef& cube : {stack->even, stack->odd, stack->irradiance})
+      views.push_back(gpu::whole(cube));
+  for (const tables::ModelTables& model : tables_.of_model)
+    for (const gpu::TextureRef& table : {model.energy, model.lobe})
+      if (table) views.push_back(gpu::whole(table));
+  return views;
 }
 
 void Renderer::make_passes() {
@@ -240,11 +288,7 @@ void Renderer::make_passes() {
                           .colors = {color_format},
                           .blend = gpu::Blend::add});
 
-  std::vector<gpu::View> textures;
-  for (const auto* draws : {&opaque_, &blended_})
-    for (const Draw& draw : *draws)
-      for (const Draw::Map& map : draw.maps)
-        textures.push_back(map.texture.view);
+  const std::vector<gpu::View> textures = sampled();
 
   for (int i = 0; i < desc_.samples; ++i) {
     std::vector<gpu::Pass>& passes = passes_.emplace_back();
@@ -259,9 +303,10 @@ void Renderer::make_passes() {
            encoder.buffer("Frame", frames_.buffer, frames_.offset(static_cast<std::size_t>(i)),
                           frames_.size);
            encoder.buffer("Lights", uploaded_.lights());
+           if (desc_.environment.stack) bind_environment(encoder);
            for (const Draw& draw : opaque_)
              record(encoder, draw);
-           if (sky_) record_sky(encoder, i);
+           if (sky_) record_sky(encoder);
            for (const Draw& draw : blended_)
              record(encoder, draw);
          }});

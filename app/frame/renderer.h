@@ -5,6 +5,7 @@
 #include "frame/uploaded_scene.h"
 #include "gpu/device.h"
 #include "image/image.h"
+#include "tables/device_tables.h"
 
 #include <map>
 #include <memory>
@@ -14,10 +15,6 @@
 namespace gg::environment {
 struct Stack;
 }
-namespace gg::tables {
-struct DeviceTables;
-}
-
 namespace gg::frame {
 
 // The light from all around. `stack` null: there is none.
@@ -41,8 +38,7 @@ class Renderer {
 public:
   // Uploads the scene and compiles what it needs; `scene` and the environment must outlive the
   // renderer.
-  Renderer(gpu::Device& device, const scene::Scene& scene, const tables::DeviceTables& tables,
-           const FrameDesc& desc);
+  Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDesc& desc);
   ~Renderer();
 
   // Draws the frame. With `times`, adds what each pass took, summed over the samples, under its
@@ -59,17 +55,20 @@ public:
 
 private:
   struct Draw;
+  void upload_tables();
   void make_targets();
   void make_frame_blocks();
   void make_draws();
   void make_passes();
+  std::vector<gpu::View> sampled() const; // every texture that the draws read
   gpu::PipelineRef pipeline(const FeatureKey& key, bool blended);
   void record(gpu::Encoder& encoder, const Draw& draw) const;
-  void record_sky(gpu::Encoder& encoder, int sample) const;
+  void bind_environment(gpu::Encoder& encoder) const;
+  void record_sky(gpu::Encoder& encoder) const;
 
   gpu::Device& device_;
   FrameDesc desc_;
-  const tables::DeviceTables& tables_;
+  tables::DeviceTables tables_; // of the models that the scene's materials use
   UploadedScene uploaded_;
   gpu::TextureRef color_, depth_, average_;
   UniformArray frames_; // one block per sample

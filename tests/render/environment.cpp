@@ -62,11 +62,13 @@ TEST_P(Render, sky_shows_each_direction_where_the_camera_looks) {
 // row 0 is up, the middle of the picture is +X, three quarters across is +Z.
 TEST_P(Render, row_0_of_the_map_is_up_and_its_middle_column_is_plus_x) {
   environment::Map map = environment::constant(glm::vec3(0.0f));
-  map.picture = image::Image(64, 32, 3);
+  map.width = 64;
+  map.height = 32;
+  map.rgb.assign(3 * 64 * 32, 0.0f);
   const auto paint = [&](int x0, int x1, int y0, int y1, int channel) {
     for (int y = y0; y < y1; ++y)
       for (int x = x0; x < x1; ++x)
-        map.picture.at(x, y, channel) = 1.0f;
+        map.rgb[static_cast<std::size_t>(3 * (64 * y + x) + channel)] = 1.0f;
   };
   paint(0, 64, 0, 4, 1);    // green around +Y
   paint(28, 36, 12, 20, 0); // red around +X

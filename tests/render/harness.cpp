@@ -2,45 +2,28 @@
 
 #include "environment/stack.h"
 #include "support/pictures.h"
-#include "tables/device_tables.h"
 
 #include <cmath>
 #include <map>
 #include <numbers>
 
 namespace gg::test {
-namespace {
-
-struct Shared {
-  std::unique_ptr<gpu::Device> device;
-  std::optional<tables::DeviceTables> tables;
-};
-
-Shared& shared(const Backend& backend) {
-  static std::map<std::string, Shared> all;
-  Shared& s = all[backend.name];
-  if (!s.device) {
-    s.device =
-        gpu::create_device({.backend = backend.backend, .surface = backend.surface, .debug = true});
-    s.tables = tables::upload(*s.device);
-  }
-  return s;
-}
-
-} // namespace
-
 gpu::Device& Render::device() const {
-  return *shared(GetParam()).device;
+  static std::map<std::string, std::unique_ptr<gpu::Device>> devices;
+  std::unique_ptr<gpu::Device>& found = devices[GetParam().name];
+  if (!found)
+    found = gpu::create_device(
+        {.backend = GetParam().backend, .surface = GetParam().surface, .debug = true});
+  return *found;
 }
 
 image::Image Render::draw(const scene::Scene& scene, Setup setup) const {
-  const Shared& s = shared(GetParam());
   std::optional<environment::Stack> stack;
   if (setup.environment) {
-    stack = environment::build(*s.device, *setup.environment);
+    stack = environment::build(device(), *setup.environment);
     setup.desc.environment.stack = &*stack;
   }
-  frame::Renderer renderer(*s.device, scene, *s.tables, setup.desc);
+  frame::Renderer renderer(device(), scene, setup.desc);
   renderer.draw();
   image::Image picture = renderer.read();
   EXPECT_TRUE(is_finite(picture));
@@ -49,7 +32,9 @@ image::Image Render::draw(const scene::Scene& scene, Setup setup) const {
 
 environment::Map environment_of(int width, const std::function<glm::dvec3(glm::dvec3)>& radiance) {
   environment::Map map = environment::constant(glm::vec3(0.0f));
-  map.picture = image::Image(width, width / 2, 3);
+  map.width = width;
+  map.height = width / 2;
+  map.rgb.clear();
   for (int y = 0; y < width / 2; ++y)
     for (int x = 0; x < width; ++x) {
       // DESIGN: u = atan2(z, x) / 2 pi + 1 / 2, v = acos(y) / pi.

@@ -1,0 +1,236 @@
+// groundglass truth: the scene path traced, with its own error stated.
+#include "commands/commands.h"
+#include "commands/options.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/progress.h"
+#include "truth/interrupt.h"
+#include "truth/render.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+namespace gg::commands {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct Options {
+  SceneOptions scene;
+  std::string out, json, smith = "separable";
+  long spp = 0;
+  double error = 0.0;
+  std::uint64_t seed = 0;
+  int threads = 0;
+  bool surface_only = false, resume = false;
+};
+
+constexpr long default_spp = 256;
+// Beyond this a float's 24 bits do not tell the mean from its neighbours anyway.
+constexpr long most_spp = 1L << 30;
+constexpr int most_threads = 1024;
+
+void check(const Options& o) {
+  if (fs::path(o.out).extension() != ".exr")
+    throw Error(ExitCode::usage, o.out, "is not an .exr file",
+                "Truth keeps its error and object ids in OpenEXR channels: -o truth.exr.");
+  if (o.spp != 0 && (o.spp < 2 || o.spp > most_spp))
+    throw Error(ExitCode::usage, "--spp", fmt::format("must be from 2 to {}", most_spp),
+                "One sample says nothing about its error.");
+  if (o.error != 0.0 && !(o.error > 0.0 && o.error < 10.0))
+    throw Error(ExitCode::usage, "--error", "must be more than 0", "0.05 is 5 %.");
+  if (o.threads < 0 || o.threads > most_threads)
+    throw Error(ExitCode::usage, "--threads", fmt::format("must be from 0 to {}", most_threads));
+  if (o.smith != "separable" && o.smith != "correlated")
+    throw Error(ExitCode::usage, "--smith", "'" + o.smith + "' is not known",
+                "Choose separable or correlated.");
+  for (const std::string& path : {o.out, o.json})
+    if (!path.empty()) OutputFile probe(path);
+}
+
+std::string numbers_of(const scene::Camera& camera) {
+  std::string text = camera.orthographic ? fmt::format("orthographic {}", camera.magnification.y)
+                                         : fmt::format("fovy {}", camera.fovy);
+  for (int c = 0; c < 4; ++c)
+    text += fmt::format(" {},{},{}", camera.world[c].x, camera.world[c].y, camera.world[c].z);
+  return text;
+}
+
+// What the samples depend on, besides the files' contents: to be found in the header, and to be the
+// same where a picture is resumed.
+std::map<std::string, std::string> settings_of(const Options& o, const scene::Camera& camera) {
+  std::string materials;
+  for (const std::string& material : o.scene.materials)
+    materials += (materials.empty() ? "" : " ") + material;
+  return {{"scene", o.scene.scene},
+          {"materials", materials},
+          {"environment", o.scene.env.empty() ? "default" : o.scene.env},
+          {"environmentRotation", fmt::format("{}", o.scene.env_rotation)},
+          {"environmentIntensity", fmt::format("{}", o.scene.env_intensity)},
+          {"camera", numbers_of(camera)},
+          {"seed", std::to_string(o.seed)},
+          {"smith", o.smith},
+          {"transport", o.surface_only ? "surface only" : "full"}};
+}
+
+truth::Film film_of(const Options& o, const std::map<std::string, std::string>& settings,
+                    Size size) {
+  if (!o.resume || !fs::exists(o.out)) return {size.width, size.height};
+  const image::Exr before = image::read_exr(o.out);
+  truth::Film film = truth::Film::from_exr(before, o.out);
+  if (film.width() != size.width || film.height() != size.height)
+    throw Error(ExitCode::usage, o.out,
+                fmt::format("is {} x {} pixels, not {} x {}", film.width(), film.height(),
+                            size.width, size.height),
+                "Ask for the same --size, or leave --resume out to start anew.");
+  for (const auto& [key, value] : settings) {
+    const auto found = before.attributes.find(key);
+    const std::string was = found != before.attributes.end() ? found->second : "";
+    if (was != value)
+      throw Error(ExitCode::usage, o.out,
+                  fmt::format("was rendered with {} '{}', not '{}'", key, was, value),
+                  "Ask for the same, or leave --resume out to start anew.");
+  }
+  return film;
+}
+
+std::string command_line(const Options& o, long spp) {
+  std::string line = fmt::format("groundglass truth {} -o {} --size {} --spp {} --seed {}",
+                                 o.scene.scene, o.out, o.scene.size, spp, o.seed);
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) line += fmt::format(" {} {}", option, value);
+  };
+  add("--env", o.scene.env);
+  if (o.scene.env_rotation != 0.0f) add("--env-rotation", fmt::format("{}", o.scene.env_rotation));
+  if (o.scene.env_intensity != 1.0f)
+    add("--env-intensity", fmt::format("{}", o.scene.env_intensity));
+  add("--camera", o.scene.camera);
+  add("--eye", o.scene.eye);
+  add("--target", o.scene.target);
+  if (!o.scene.eye.empty()) add("--up", o.scene.up);
+  if (o.scene.fovy) add("--fovy", fmt::format("{}", *o.scene.fovy));
+  if (o.smith != "separable") add("--smith", o.smith);
+  for (const std::string& material : o.scene.materials)
+    add("--material", "'" + material + "'");
+  return line + (o.surface_only ? " --surface-only" : "");
+}
+
+image::Exr picture_of(const truth::Film& film, const scene::Scene& scene,
+                      const std::map<std::string, std::string>& settings, const Options& o) {
+  image::Exr exr = film.to_exr();
+  for (const auto& [key, value] : settings)
+    exr.attributes[key] = value;
+  exr.attributes["command"] = command_line(o, film.samples());
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    exr.attributes[fmt::format("object.{}", i + 1)] = scene.instances[i].name;
+  return exr;
+}
+
+void trace(const Options& o) {
+  check(o);
+  const Size size = parse_size(o.scene.size);
+  const scene::Scene scene = load_scene(o.scene);
+  const scene::Camera view = choose_camera(o.scene, scene, size);
+  const auto settings = settings_of(o, view);
+  truth::Film film = film_of(o, settings, size);
+
+  std::optional<truth::EnvironmentLight> environment;
+  if (auto map = load_environment(o.scene, scene))
+    environment.emplace(std::move(*map),
+                        static_cast<double>(o.scene.env_rotation) * std::numbers::pi / 180.0,
+                        static_cast<double>(o.scene.env_intensity));
+  const truth::Camera camera(view, size.width, size.height);
+  const truth::Integrator integrator(
+      scene, environment ? &*environment : nullptr,
+      camera.orthographic() ? std::nullopt : std::optional(camera.eye()),
+      {.smith = o.smith == "correlated" ? truth::Smith::correlated : truth::Smith::separable,
+       .transport = o.surface_only ? truth::Transport::surface_only : truth::Transport::full});
+
+  const truth::RenderDesc desc{.seed = o.seed,
+                               .samples = o.spp > 0       ? o.spp
+                                          : o.error > 0.0 ? most_spp
+                                                          : default_spp,
+                               .error = o.error,
+                               .threads = o.threads};
+  const auto start = std::chrono::steady_clock::now();
+  bool complete = false;
+  {
+    const truth::Interruptible interruptible;
+    // The error falls with the root of the samples, so the square of what is asked for over what is
+    // there is the part of the work that is done.
+    constexpr long steps = 10000;
+    Progress progress("tracing", steps);
+    const auto report = [&](long samples, double error) {
+      const double by_samples = static_cast<double>(samples) / static_cast<double>(desc.samples);
+      const double ratio = error > 0.0 ? desc.error / error : 1.0;
+      progress.update(static_cast<long>(steps * std::min(1.0, std::max(by_samples, ratio * ratio))),
+                      fmt::format("{} samples per pixel, error {:.2f} %", samples, 100.0 * error));
+    };
+    complete = truth::render(integrator, camera, desc, film,
+                             {.report = report, .stop = truth::Interruptible::requested});
+  }
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (film.samples() < 2)
+    throw Error(ExitCode::interrupted, o.out, "interrupted before there was anything to keep");
+
+  const image::Exr picture = picture_of(film, scene, settings, o);
+  image::write_exr(o.out, picture);
+  if (!o.json.empty()) {
+    OutputFile file(o.json);
+    file.write(json{{"width", size.width},
+                    {"height", size.height},
+                    {"samples", film.samples()},
+                    {"seconds", seconds},
+                    {"relative_error", film.relative_error()},
+                    {"mean_standard_error", std::stod(picture.attributes.at("meanStandardError"))},
+                    {"complete", complete},
+                    {"command", picture.attributes.at("command")}}
+                   .dump(2)
+               + "\n");
+    file.commit();
+  }
+  fmt::print("{}: {} samples per pixel, error {:.2f} %, {:.1f} s\n", o.out, film.samples(),
+             100.0 * film.relative_error(), seconds);
+  if (!complete)
+    throw Error(ExitCode::interrupted, o.out,
+                fmt::format("interrupted; {} samples per pixel are kept", film.samples()),
+                "The same command with --resume goes on from there.");
+}
+
+} // namespace
+
+void add_truth(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("truth", "Path trace the scene, until its error is small enough");
+  add_options(*command, options->scene);
+  command->add_option("-o,--output", options->out, "Picture to write: .exr")->required();
+  CLI::Option* spp = command->add_option(
+      "--spp", options->spp, fmt::format("Samples per pixel ({} if nothing is said)", default_spp));
+  command
+      ->add_option("--error", options->error,
+                   "Go on until the standard error over (mean + 0.1), RMS over the objects' "
+                   "pixels, is this small: 0.05 is 5 %")
+      ->excludes(spp);
+  command->add_option("--seed", options->seed, "Of the random numbers")->capture_default_str();
+  command->add_option("--smith", options->smith, "Shadowing: separable (Walter 2007) or correlated")
+      ->capture_default_str();
+  command->add_flag("--surface-only", options->surface_only,
+                    "Each visible point lit through its BSDF alone: nothing shadows, nothing is "
+                    "reflected twice");
+  command->add_flag("--resume", options->resume, "Go on from the samples that the output file has");
+  command->add_option("--threads", options->threads, "0: as many as the machine has");
+  command->add_option("--json", options->json, "Write times, samples and error to this file");
+  command->callback([options] { trace(*options); });
+}
+
+} // namespace gg::commands
