@@ -39,15 +39,26 @@ bool keeps_boxes(const glm::mat4& m) {
   return true;
 }
 
-void include(Bounds& bounds, const glm::mat4& world, const Scene& scene, const Primitive& p) {
+void include_box(Bounds& bounds, const glm::mat4& world, const Bounds& box) {
+  for (int i = 0; i < 8; ++i)
+    bounds.include(
+        glm::vec3(world
+                  * glm::vec4(i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
+                              i & 4 ? box.high.z : box.low.z, 1.0f)));
+}
+
+// `patience` is the number of corners that may still be looked at one by one.
+void include(Bounds& bounds, const glm::mat4& world, const Scene& scene, const Primitive& p,
+             std::size_t& patience) {
   if (p.bounds.empty()) return;
-  if (keeps_boxes(world)) {
-    bounds.include(glm::vec3(world * glm::vec4(p.bounds.low, 1.0f)));
-    bounds.include(glm::vec3(world * glm::vec4(p.bounds.high, 1.0f)));
+  const Indices& indices = scene.indices[static_cast<std::size_t>(p.indices)];
+  if (keeps_boxes(world) || indices.size() > patience) {
+    include_box(bounds, world, p.bounds);
     return;
   }
+  patience -= indices.size();
   const float* positions = scene.streams[static_cast<std::size_t>(p.positions)].values.data();
-  for (const std::uint32_t i : scene.indices[static_cast<std::size_t>(p.indices)])
+  for (const std::uint32_t i : indices)
     bounds.include(
         glm::vec3(world * glm::vec4(glm::make_vec3(positions + 3 * std::size_t{i}), 1.0f)));
 }
@@ -71,9 +82,10 @@ void compact(Scene& scene) {
 
 Bounds world_bounds(const Scene& scene) {
   Bounds bounds;
+  std::size_t patience = 50'000'000; // about 0.2 s
   for (const Instance& instance : scene.instances)
     for (const Primitive& p : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
-      include(bounds, instance.world, scene, p);
+      include(bounds, instance.world, scene, p, patience);
   return bounds;
 }
 

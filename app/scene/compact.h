@@ -9,8 +9,8 @@ namespace gg::scene {
 // and renumbers the rest.
 void compact(Scene& scene);
 
-// The box around everything that is drawn, in the world. Tight: of the vertices, not of their
-// boxes.
+// The box around everything that is drawn, in the world. Tight: of the vertices, not of their boxes,
+// unless there are so many turned instances that looking at each vertex would take long.
 Bounds world_bounds(const Scene& scene);
 
 // Where scenes end: squares of distances must stay floats, with room for a camera further off.

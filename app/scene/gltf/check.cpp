@@ -131,10 +131,24 @@ private:
   const std::string& file_;
 };
 
+// Objects that say which of their members counts must have it.
+void check_kinds(const json& array, const std::string& name, const std::string& file) {
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    const std::string& type = array[i]["type"].get_ref<const std::string&>();
+    const bool has_member = type == "perspective" || type == "orthographic" || type == "spot";
+    if (has_member && !array[i].contains(type))
+      fail(file, fmt::format("{}[{}].{}", name, i, type), "is missing");
+  }
+}
+
 } // namespace
 
 void check(const nlohmann::json& json, const std::string& file) {
   Checker(json, file).object(json, schema(), "");
+  if (json.contains("cameras")) check_kinds(json["cameras"], "cameras", file);
+  const json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
+  if (json.contains(lights))
+    check_kinds(json[lights], "extensions.KHR_lights_punctual.lights", file);
 }
 
 } // namespace gg::scene::gltf

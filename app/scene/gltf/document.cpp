@@ -41,6 +41,9 @@ Document::Document(const std::filesystem::path& path) : container_(open_containe
   if (const auto version = json["asset"]["version"].get<std::string>(); !version.starts_with("2."))
     fail_unsupported(name(), "asset.version", "is '" + version.substr(0, 20) + "'",
                      "Only glTF 2 is read: export it as glTF 2.0.");
+  if (const std::string least = json["asset"].value("minVersion", "2.0"); least > "2.0")
+    fail_unsupported(name(), "asset.minVersion", "is '" + least.substr(0, 20) + "'",
+                     "Only glTF 2.0 is read: export it as that.");
   check_extensions(json, name());
 
   const std::string text = structure(json);

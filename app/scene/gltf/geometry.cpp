@@ -19,7 +19,8 @@ std::string key(const tinygltf::Primitive& source, const std::optional<TangentFr
                 const Pose& pose) {
   std::string text = fmt::format("{} {}", source.mode, source.indices);
   for (const auto& [name, accessor] : source.attributes)
-    text += fmt::format(" {}={}", name, accessor);
+    if (!name.starts_with('_')) // an application's own
+      text += fmt::format(" {}={}", name, accessor);
   if (const auto draco = source.extensions.find("KHR_draco_mesh_compression");
       draco != source.extensions.end())
     text += fmt::format(" draco={}", draco->second.Get("bufferView").GetNumberAsInt());
@@ -104,6 +105,9 @@ std::optional<Primitive> Geometry::build(const tinygltf::Primitive& source,
            fmt::format("reaches {}; coordinates end at {} m", x, largest_coordinate));
   complete_normals(place, result);
   if (frame) complete_tangents(*frame, place, result);
+  // Not memory but time: a file must not have one long list walked by thousands of primitives.
+  document_.spend(scene_.indices[static_cast<std::size_t>(result.indices)].size() * sizeof(Index),
+                  place);
   result.bounds =
       bounds_of(at(result.positions), scene_.indices[static_cast<std::size_t>(result.indices)]);
   if (is_shared) primitives_.emplace(name, result);
