@@ -24,9 +24,12 @@ constexpr int least_face = 64, greatest_face = 1024, smallest_level = 4, irradia
 // Up to this size of result the kernel is convolved over all pairs, from the odd level of twice the size.
 constexpr int zonal_face = 8;
 constexpr int irradiance_source = 32;
+// From this size on a kernel spans less than 7 degrees, over which sin² is theta² to 0.5 % and texels have one area to 10 %.
+constexpr int narrow_face = 128;
 constexpr double texels_per_sigma =
     1.25; // of even levels at a face's centre, where a texel is 2 / size wide
-constexpr double equirect_reach = 3.5;    // sigma: environment_equirect.comp
+constexpr double sharp_pixels = 0.6;      // sigma of the sharp level in pixels of the picture
+constexpr double equirect_reach = 4.0;    // sigma: environment_equirect.comp
 constexpr double cosine_amplified = 20.0; // at most: half floats keep 3 digits of what that leaves
 constexpr int kernel_samples = 1024;
 
@@ -62,14 +65,15 @@ private:
            std::vector<Bound> textures, const char* image_name, const gpu::View& image, int size,
            int layers);
   void sharp();
-  void halve(const gpu::TextureRef& from, int from_level, int size);
   void blur(const gpu::View& from, const gpu::View& to, int size, double variance, bool halved);
   void zonal(const gpu::View& from, int from_size, const gpu::View& to, int size, int kernel);
   gpu::TextureRef plane(const std::string& label, int width, int height,
                         gpu::Format format = gpu::Format::r32f);
   gpu::TextureRef filled(const std::string& label, int width, int height, gpu::Format format,
                          const std::vector<float>& values);
-  gpu::TextureRef cube(const std::string& label, int size, int level_count);
+  gpu::TextureRef cube(const std::string& label, int size, int level_count,
+                       gpu::Format format = gpu::Format::rgba16f);
+  gpu::PipelineRef blur_pipeline(int stage, bool narrow);
   gpu::PipelineRef compute(const std::string& file, std::vector<gpu::Constant> constants = {});
 
   gpu::Device& device_;
@@ -80,7 +84,7 @@ private:
   gpu::BufferRef steps_;
   std::vector<EnvironmentStep> step_values_;
   std::vector<gpu::Pass> passes_;
-  gpu::PipelineRef halve_, blur_, balance_, zonal_[3];
+  gpu::PipelineRef weigh_[2], blur_[6], zonal_[4];
   int face_ = 0;
 };
 
@@ -98,11 +102,12 @@ Builder::Builder(gpu::Device& device, const Map& map)
       peak > 0.0f ? std::ldexp(1.0f, std::clamp(std::ilogb(peak) + 1 - 15, -120, 120)) : 1.0f;
 }
 
-gpu::TextureRef Builder::cube(const std::string& label, int size, int level_count) {
+gpu::TextureRef Builder::cube(const std::string& label, int size, int level_count,
+                              gpu::Format format) {
   return device_.create(
       gpu::TextureDesc{.label = map_.name + ": " + label,
                        .shape = gpu::Shape::cube,
-                       .format = gpu::Format::rgba16f,
+                       .format = format,
                        .width = size,
                        .height = size,
                        .levels = level_count,
@@ -155,6 +160,14 @@ void Builder::add(const std::string& label, const gpu::PipelineRef& pipeline,
   passes_.push_back(std::move(pass));
 }
 
+gpu::PipelineRef Builder::blur_pipeline(int stage, bool narrow) {
+  gpu::PipelineRef& pipeline = blur_[2 * stage + narrow];
+  if (!pipeline)
+    pipeline =
+        compute("environment_blur.comp", {gpu::constant(0, stage), gpu::constant(1, narrow)});
+  return pipeline;
+}
+
 void Builder::sharp() {
   std::vector<float> texels;
   texels.reserve(map_.rgb.size() / 3 * 4);
@@ -163,7 +176,7 @@ void Builder::sharp() {
     texels.insert(texels.end(),
                   {scale * map_.rgb[i], scale * map_.rgb[i + 1], scale * map_.rgb[i + 2], 1.0f});
   const auto picture = filled(map_.name, map_.width, map_.height, gpu::Format::rgba32f, texels);
-  const double sigma = 0.5 * std::numbers::pi / map_.height;
+  const double sigma = sharp_pixels * std::numbers::pi / map_.height;
   std::vector<float> rings;
   const std::vector<float> balanced = balanced_rows(map_.width, map_.height, sigma, equirect_reach);
   for (int y = 0; y < map_.height; ++y) {
@@ -181,24 +194,29 @@ void Builder::sharp() {
       faces(stack_.even, 0), face_, 6);
 }
 
-void Builder::halve(const gpu::TextureRef& from, int from_level, int size) {
-  EnvironmentStep step{};
-  step.sizes = {size, 2 * size, 0, 0};
-  add("environment: halve", halve_, step, {{"source", faces(from, from_level), point_}}, "result",
-      faces(scratch_, std::countr_zero(static_cast<unsigned>(face_ / 2 / size))), size, 6);
-}
-
-// `variance` is what the result has more than the source; if `halved`, halving has added a part of it already.
+// `variance` is what the result has more than the source. `from_level` of the source is as large as the result, or twice
+// as large and halved first, which adds a part of the variance.
 void Builder::blur(const gpu::View& from, const gpu::View& to, int size, double variance,
                    bool halved) {
   EnvironmentStep step{};
-  step.sizes = {size, size, 0, 0};
-  step.kernel = {variance, halved ? 1.0 / 16.0 : 0.0, 0.0,
-                 0.0}; // four points half a source texel off: a 16th of the area
-  const auto lattice = plane("lattice", size, size, gpu::Format::rgba32f);
-  add("environment: balance", balance_, step, {}, "latticeResult", gpu::whole(lattice), size, 1);
-  add("environment: blur", blur_, step,
-      {{"source", from, point_}, {"lattice", gpu::whole(lattice), point_}}, "result", to, size, 6);
+  step.sizes = {size, halved ? 2 * size : size, 0, 0};
+  // The four points that a halved texel is the mean of lie half a source texel off: a 16th of its area per axis.
+  step.kernel = {variance, halved ? 1.0 / 16.0 : 0.0, 0.0, 0.0};
+  const bool narrow = size >= narrow_face;
+  const gpu::View first = gpu::whole(plane("weights", size, size)),
+                  second = gpu::whole(plane("weights", size, size)),
+                  third = gpu::whole(plane("weights", size, size));
+  add("environment: balance", blur_pipeline(1, narrow), step, {}, "weightsResult", first, size, 1);
+  add("environment: balance", blur_pipeline(2, narrow), step, {{"weights", first, point_}},
+      "weightsResult", second, size, 1);
+  add("environment: balance", blur_pipeline(2, narrow), step, {{"weights", second, point_}},
+      "weightsResult", third, size, 1);
+  const gpu::View weighted =
+      faces(scratch_, std::countr_zero(static_cast<unsigned>(face_ / 2 / size)));
+  add("environment: weigh", weigh_[halved], step,
+      {{"source", from, point_}, {"weights", third, point_}}, "weighted", weighted, size, 6);
+  add("environment: blur", blur_pipeline(0, narrow), step, {{"weighted", weighted, point_}},
+      "result", to, size, 6);
 }
 
 void Builder::zonal(const gpu::View& from, int from_size, const gpu::View& to, int size,
@@ -207,14 +225,18 @@ void Builder::zonal(const gpu::View& from, int from_size, const gpu::View& to, i
   step.sizes = {size, from_size, 0, 0};
   step.kernel.z = static_cast<float>(kernel);
   const Bound kernels{"kernels", gpu::whole(kernels_), device_.create(gpu::SamplerDesc{})};
-  const auto rows = plane("rows", size, size), columns = plane("columns", from_size, from_size);
-  add("environment: balance", zonal_[0], step, {kernels}, "balanceResult", gpu::whole(rows),
-      2 * size, 1);
-  add("environment: balance", zonal_[1], step, {kernels, {"rows", gpu::whole(rows), point_}},
-      "balanceResult", gpu::whole(columns), 2 * from_size, 1);
-  add("environment: wide", zonal_[2], step,
-      {kernels, {"source", from, point_}, {"columns", gpu::whole(columns), point_}}, "result", to,
-      2 * size, 6);
+  const gpu::View rows = gpu::whole(plane("rows", size, size)),
+                  columns = gpu::whole(plane("columns", from_size, from_size));
+  add("environment: balance", zonal_[0], step, {kernels}, "balanceResult", rows, 2 * size, 1);
+  for (int round = 0; round < 2; ++round) {
+    add("environment: balance", zonal_[1], step, {kernels, {"rows", rows, point_}}, "balanceResult",
+        columns, 2 * from_size, 1);
+    if (round == 0)
+      add("environment: balance", zonal_[2], step, {kernels, {"columns", columns, point_}},
+          "balanceResult", rows, 2 * size, 1);
+  }
+  add("environment: wide", zonal_[3], step,
+      {kernels, {"source", from, point_}, {"columns", columns, point_}}, "result", to, 2 * size, 6);
 }
 
 Stack Builder::build(std::vector<gpu::PassTime>* times) {
@@ -223,16 +245,15 @@ Stack Builder::build(std::vector<gpu::PassTime>* times) {
   stack_.odd = cube("environment, odd levels", face_ / 2, even_levels - 1);
   stack_.irradiance = cube("irradiance", irradiance_face, 1);
   stack_.sampler = device_.create(gpu::SamplerDesc{.between_levels = gpu::Filter::linear});
-  scratch_ = cube("scratch", face_ / 2, even_levels - 1);
+  scratch_ = cube("scratch", face_ / 2, even_levels - 1, gpu::Format::rgba32f);
   point_ = device_.create(
       gpu::SamplerDesc{.magnify = gpu::Filter::nearest, .minify = gpu::Filter::nearest});
-  halve_ = compute("environment_halve.comp");
-  balance_ = compute("environment_blur.comp", {gpu::constant(0, true)});
-  blur_ = compute("environment_blur.comp");
-  for (int stage = 0; stage < 3; ++stage)
+  for (const bool halved : {false, true})
+    weigh_[halved] = compute("environment_weigh.comp", {gpu::constant(0, halved)});
+  for (int stage = 0; stage < 4; ++stage)
     zonal_[stage] = compute("environment_zonal.comp", {gpu::constant(0, stage)});
 
-  const double sharp_sigma = 0.5 * std::numbers::pi / map_.height;
+  const double sharp_sigma = sharp_pixels * std::numbers::pi / map_.height;
   double variance = sharp_sigma * sharp_sigma;
   sharp();
   std::vector<std::pair<gpu::View, int>>
@@ -246,13 +267,10 @@ Stack Builder::build(std::vector<gpu::PassTime>* times) {
       wide.push_back({odd, size});
       continue;
     }
-    if (level == 1)
-      halve(stack_.even, 0, size);
-    else
-      halve(stack_.odd, level - 2, size);
     const double even_variance = even_sigma(size) * even_sigma(size),
                  odd_variance = 2.0 * even_variance;
-    blur(faces(scratch_, level - 1), even, size, even_variance - variance, true);
+    blur(level == 1 ? faces(stack_.even, 0) : faces(stack_.odd, level - 2), even, size,
+         even_variance - variance, true);
     blur(even, odd, size, odd_variance - even_variance, false);
     variance = odd_variance;
     last = odd;

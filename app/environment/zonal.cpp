@@ -63,11 +63,13 @@ std::vector<float> cosine_kernel_table(double blurred_variance, double most, int
 
 std::vector<float> balanced_rows(int width, int height, double sigma, double reach) {
   const double step = std::numbers::pi / height;
-  // Rows that can be near a pole in the kernel's measure, and readings between them.
-  const int near =
-      std::min(height / 2, static_cast<int>(std::ceil(4.0 * reach * sigma / step)) + 2);
-  const int rows = std::min(height, near + static_cast<int>(std::ceil(reach * sigma / step)) + 1);
-  constexpr int readings_per_row = 16, azimuths = 64;
+  // Rows near a pole: at the last one the factor is 1 to 3e-4, and what it does to those before is less.
+  const int near = std::min(height / 2, 24),
+            overlap = static_cast<int>(std::ceil(reach * sigma / step));
+  const int rows = std::min(height, near + overlap + 1);
+  constexpr int readings_per_row = 16, azimuths = 64, rounds = 300;
+  constexpr double relaxation =
+      1.9; // below 2; plain rounds creep, as a common factor costs nothing
   const int readings = readings_per_row * near;
   // Azimuthal mean of the kernel between a reading at (i + 1/2) step / 16 and row j.
   std::vector<double> kernel(static_cast<std::size_t>(readings * rows));
@@ -88,7 +90,7 @@ std::vector<float> balanced_rows(int width, int height, double sigma, double rea
   std::vector<double> area, factor(static_cast<std::size_t>(rows), 1.0);
   for (int j = 0; j < rows; ++j)
     area.push_back(width * pixel_solid_angle(width, height, j));
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     std::vector<double> given(static_cast<std::size_t>(rows), 0.0);
     for (int i = 0; i < readings; ++i) {
       double total = 0.0;
@@ -102,8 +104,9 @@ std::vector<float> balanced_rows(int width, int height, double sigma, double rea
                                               * factor[static_cast<std::size_t>(j)] / total;
     }
     // Rows whose readings are not all among those above keep their solid angle.
-    for (int j = 0; j < near - static_cast<int>(std::ceil(reach * sigma / step)) - 1; ++j)
-      factor[static_cast<std::size_t>(j)] /= given[static_cast<std::size_t>(j)];
+    for (int j = 0; j < near - overlap - 1; ++j)
+      factor[static_cast<std::size_t>(j)] /=
+          std::pow(given[static_cast<std::size_t>(j)], relaxation);
   }
   std::vector<float> balanced;
   for (int y = 0; y < height; ++y) {

@@ -16,7 +16,7 @@ std::vector<float> cosine_kernel_table(double blurred_variance, double most, int
 
 // What a pixel of each row is worth when a Gaussian of `sigma` radians reads an equirectangular picture: its solid angle times
 // a factor near 1 that makes the weights which it has in all readings, each normalised to 1, add up to its solid angle.
-// Only rows next to the poles need it: 8 % there, 1e-5 from the tenth on.
+// Only rows near the poles need it, where pixels are slivers: without, a sun in the first row would lose a fifth.
 std::vector<float> balanced_rows(int width, int height, double sigma, double reach);
 
 } // namespace gg::environment

@@ -13,7 +13,7 @@ layout(binding = 2) uniform sampler2D rows; // height x 1: sine and cosine of th
 layout(binding = 3, rgba16f) uniform writeonly imageCube result;
 
 const float PI = 3.14159265358979323846;
-const float REACH = 3.5; // sigma: past it 0.2 % of the kernel is cut off, evenly
+const float REACH = 4.0; // sigma: past it 0.03 % of the kernel is cut off, the same from all sides
 
 void main() {
     ivec3 texel = ivec3(gl_GlobalInvocationID);

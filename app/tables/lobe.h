@@ -1,0 +1,50 @@
+// The exact single-scattering reflection lobe of a rough surface that reflects everything (F = 1), as weighted
+// directions: what the tables are integrals of and what their Gaussians are fitted to.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gg::tables {
+
+enum class Distribution { ggx, beckmann, phong };
+enum class Smith { separable, correlated };
+
+// A model that has tables of its own. Phong is given by the slope width alpha that its exponent matches.
+struct Model {
+  Distribution distribution = Distribution::ggx;
+  Smith smith = Smith::separable;
+};
+// In the order in which they are stored and numbered for shaders.
+inline constexpr std::array<Model, 4> models = {{{Distribution::ggx, Smith::separable},
+                                                 {Distribution::ggx, Smith::correlated},
+                                                 {Distribution::beckmann, Smith::separable},
+                                                 {Distribution::phong, Smith::separable}}};
+std::string name(const Model& model); // "ggx-separable"
+
+// One direction of the lobe. Local frame: n = +z, wo = (sin, 0, cos), so the mirror direction has x < 0.
+struct LobeSample {
+  glm::dvec3 wi;
+  double cos_facet = 0.0; // wo . wm, at which Fresnel's reflectance is taken
+  double weight = 0.0;    // its share of the integral of f_r cos: sums to the albedo for F = 1
+  double density = 0.0;   // samples per steradian about wi
+};
+
+// How the unit square that microfacet normals are drawn from is walked.
+enum class Walk {
+  grid, // `count` x `count` midpoints, half of the azimuths (the lobe is symmetric): for energies
+  lattice, // `count` points of a rank-1 lattice over the whole lobe: for pictures
+};
+
+// Directions of the lobe of `model` at width `alpha` > 0, seen at `cos_theta` in [0, 1]: the limit from above at 0.
+// Directions below the horizon are left out. Midpoint rule in the coordinates that microfacet normals are sampled in,
+// so the error falls with the square of the spacing.
+std::vector<LobeSample> reflection_lobe(const Model& model, double alpha, double cos_theta,
+                                        Walk walk, int count);
+
+} // namespace gg::tables
