@@ -2,14 +2,12 @@
 #include "bsdf/evaluate.h"
 #include "bsdf/query_file.h"
 #include "core/error.h"
-#include "core/files.h"
+#include "support/scratch.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 namespace {
 
@@ -18,15 +16,6 @@ using namespace gg;
 const std::string header = "id,lobe,dist,alpha,eta,cn,ck,ix,iy,iz,ox,oy,oz,nx,ny,nz\n";
 const std::string row = "R,ggx,0.3,1.5,0,0,0,0,1,0,0,1,0,0,1\n";
 
-std::filesystem::path file(const std::string& text) {
-  const std::filesystem::path folder = GROUNDGLASS_OUTPUT_DIR;
-  std::filesystem::create_directories(folder);
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  const auto path = folder / (std::string("queries_") + test->name() + ".csv");
-  std::ofstream(path, std::ios::binary) << text;
-  return path;
-}
-
 struct Read {
   std::vector<std::string> ids;
   std::vector<bsdf::Query> queries;
@@ -34,7 +23,7 @@ struct Read {
 
 Read read(const std::string& text) {
   Read all;
-  bsdf::QueryReader reader(file(text));
+  bsdf::QueryReader reader(test::scratch_file("queries.csv", text));
   reader.next(1000, all.ids, all.queries);
   reader.expect_no_bad_rows();
   return all;
@@ -126,7 +115,7 @@ TEST(queries, batches_keep_order_and_lose_nothing) {
   std::string text = header;
   for (int i = 0; i < 1000; ++i)
     text += std::to_string(i) + "," + row;
-  bsdf::QueryReader reader(file(text));
+  bsdf::QueryReader reader(test::scratch_file("queries.csv", text));
   std::vector<std::string> ids, all;
   std::vector<bsdf::Query> queries;
   while (reader.next(64, ids, queries))
