@@ -43,7 +43,7 @@ environment::Map environment_of(int width, const std::function<glm::dvec3(glm::d
       const glm::dvec3 value = radiance(
           {std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)});
       for (int c = 0; c < 3; ++c)
-        map.picture.at(x, y, c) = static_cast<float>(value[c]);
+        map.rgb.push_back(static_cast<float>(value[c]));
     }
   return map;
 }
