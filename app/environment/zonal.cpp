@@ -43,11 +43,12 @@ std::vector<float> heat_kernel_table(double variance, int count) {
   return legendre_table(coefficients, count);
 }
 
-std::vector<float> cosine_kernel_table(double blurred_variance, double most, int count) {
+std::vector<float> cosine_kernel_table(double blurred_variance, double kept_variance, double most,
+                                       int count) {
   std::vector<double> coefficients;
   double binomial = 1.0; // l! / (2^l (l/2)!²) for even l
   for (int l = 0;; ++l) {
-    const double amplified = std::exp(0.5 * l * (l + 1.0) * blurred_variance);
+    const double amplified = std::exp(0.5 * l * (l + 1.0) * (blurred_variance - kept_variance));
     if (amplified > most) break;
     double a = 0.0;
     if (l == 0) a = 1.0;

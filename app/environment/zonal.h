@@ -11,8 +11,10 @@ namespace gg::environment {
 std::vector<float> heat_kernel_table(double variance, int count);
 
 // The clamped cosine over pi, for a map that was blurred by a Gaussian of that variance before: the series of the cosine
-// [RamamoorthiHanrahan01, eq. 19] with the blur divided out, up to the degree where it would be amplified `most` times.
-std::vector<float> cosine_kernel_table(double blurred_variance, double most, int count);
+// [RamamoorthiHanrahan01, eq. 8] with the blur divided out, but for `kept_variance`, up to the degree where that
+// amplifies `most` times. What is kept takes the ringing of a series that ends: 0.04 % of the light, for 0.002.
+std::vector<float> cosine_kernel_table(double blurred_variance, double kept_variance, double most,
+                                       int count);
 
 // What a pixel of each row is worth when a Gaussian of `sigma` radians reads an equirectangular picture: its solid angle times
 // a factor near 1 that makes the weights which it has in all readings, each normalised to 1, add up to its solid angle.

@@ -1,6 +1,6 @@
-// environment_equirect.comp: the equirectangular picture -> the sharp level of the cube, through a Gaussian half a pixel wide.
+// environment_equirect.comp: the equirectangular picture -> the sharp level of the cube, through a Gaussian 0.6 of a pixel wide.
 // Why a Gaussian: point samples would lose or double a sun of one pixel. Every pixel is worth its solid angle times
-// a balance, which makes up for the crowding of pixels at the poles (app/environment/balance.h).
+// a balance, which makes up for the crowding of pixels at the poles (app/environment/zonal.h).
 #version 450
 #include "environment/cube.glsl"
 #include "interface/environment_step.glsl"
@@ -8,7 +8,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 1) uniform sampler2D equirect;
+layout(binding = 1) uniform sampler2D equirect; // rgb radiance, a: balance at the cube's corners (corner_balance.h)
 layout(binding = 2) uniform sampler2D rows; // height x 1: sine and cosine of theta, solid angle of a pixel, balanced
 layout(binding = 3, rgba16f) uniform writeonly imageCube result;
 
@@ -60,7 +60,9 @@ void main() {
             vec3 apart = d - vec3(rowSin * c, rowCos, rowSin * s);
             float chord2 = dot(apart, apart);
             float w = chord2 > chord2Limit ? 0.0 : weight * exp(-chord2 * inverse);
-            sum += w * texelFetch(equirect, ivec2(x, row), 0).xyz;
+            vec4 pixel = texelFetch(equirect, ivec2(x, row), 0);
+            w *= pixel.w;
+            sum += w * pixel.xyz;
             total += w;
             float turned = c * stepCos - s * stepSin;
             s = s * stepCos + c * stepSin;
