@@ -20,6 +20,11 @@ int main(int argc, char** argv) {
   gg::commands::add_all(app);
 
   try {
+    // CLI11 would only say that a command is required.
+    if (argc > 1 && argv[1][0] != '-'
+        && app.get_subcommands([&](const CLI::App* one) { return one->check_name(argv[1]); })
+               .empty())
+      throw gg::Error(ExitCode::usage, argv[1], "is not a command", "See groundglass --help.");
     app.parse(argc, argv); // runs the chosen command's callback
     return static_cast<int>(ExitCode::success);
   } catch (const CLI::ParseError& error) {

@@ -71,7 +71,7 @@ TEST(capture, same_command_writes_the_same_bytes) {
                              "--samples", "2"})
                     .code,
                 0);
-    EXPECT_EQ(bytes(a), bytes(b)) << extension;
+    EXPECT_TRUE(bytes(a) == bytes(b)) << extension; // not _EQ: it would print them
     EXPECT_FALSE(bytes(a).empty());
   }
 }
@@ -105,8 +105,7 @@ TEST(capture, names_what_is_wrong_with_its_options) {
   expect_refusal({"capture", suzanne, "-o", png, "--camera", "7"}, 2, "7");
   expect_refusal({"capture", suzanne, "-o", png, "--eye", "1,2"}, 2, "--eye");
   expect_refusal({"capture", suzanne, "-o", png, "--eye", "1,2,nan"}, 2, "--eye");
-  expect_refusal({"capture", suzanne, "-o", png, "--eye", "0,0,0", "--target", "0,0,0"}, 2,
-                 "--eye");
+  expect_refusal({"capture", suzanne, "-o", png, "--eye", "0,0,0", "--target", "0,0,0"}, 2, "eye");
   expect_refusal({"capture", suzanne, "-o", png, "--fovy", "180"}, 2, "--fovy");
   expect_refusal({"capture", suzanne, "-o", png, "--env-intensity", "-1"}, 2, "--env-intensity");
   expect_refusal({"capture", suzanne, "-o", png, "--material", "*=unobtainium"}, 2, "unobtainium");
@@ -131,15 +130,15 @@ TEST(capture, names_the_file_that_it_cannot_read_or_write) {
                  "/no/such/directory/times.json");
 }
 
-TEST(capture, a_missing_driver_is_a_message_and_not_a_crash) {
-  const Finished f =
-      run_program({"capture", suzanne, "-o", out("picture.png"), "--surface", "osmesa"},
-                  {"LD_LIBRARY_PATH=/nonexistent", "LIBGL_DRIVERS_PATH=/nonexistent",
-                   "GALLIUM_DRIVER=nonexistent"});
-  if (f.code != 0) { // a system may still find another driver
+TEST(capture, a_missing_driver_is_a_message_that_says_what_to_install) {
+  const auto without = [](std::vector<std::string> words, const std::string& variable) {
+    words.insert(words.begin(), {"capture", suzanne, "-o", out("picture.png"), "--size", "32x32"});
+    const Finished f = run_program(words, {variable + "=/nonexistent"});
     EXPECT_EQ(f.code, 6) << f.err;
-    EXPECT_FALSE(f.err.empty());
-  }
+    EXPECT_NE(f.err.find("nstall"), std::string::npos) << f.err;
+  };
+  without({"--surface", "egl"}, "LIBGL_DRIVERS_PATH");
+  without({"--backend", "vulkan"}, "VK_ICD_FILENAMES");
 }
 
 TEST(commands, that_are_promised_and_not_there_yet_say_so_and_fail) {
