@@ -34,6 +34,8 @@ struct Integrator::Path {
   glm::dvec3 throughput{1.0}, radiance{0.0};
   Inside inside;
   double pdf = 0.0;
+  double open =
+      1.0; // factor on the environment: baked occlusion, where paths do not find their own
   double scale = 1.0; // product of eta² of the interfaces crossed: throughput * scale is power
   int bounces = 0;
 };
@@ -129,6 +131,7 @@ Sample Integrator::trace(const Ray& camera_ray, Random& random) const {
         continue;
       }
     }
+    if (settings_.transport == Transport::surface_only) path.open = surface.occlusion;
     if (!scatter(path, meeting)) break;
     if (settings_.transport == Transport::surface_only) {
       add_environment(path);
@@ -153,7 +156,7 @@ void Integrator::add_environment(Path& path) const {
   const glm::dvec3 radiance = environment_->radiance(path.ray.direction);
   const double weight =
       path.pdf > 0.0 ? share(path.pdf, environment_->pdf(path.ray.direction)) : 1.0;
-  path.radiance += path.throughput * radiance * weight;
+  path.radiance += path.throughput * radiance * (weight * path.open);
 }
 
 // Russian roulette by the power that the path still carries: a path that has lost none of it, as in
@@ -261,7 +264,7 @@ void Integrator::add_direct_light(Path& path, const Meeting& m, const Closure& c
     // From inside a solid that bends light the environment is seen through its boundary only.
     if (l.open && (alone || media_.ior(media_.at(m.inside_after(l.across))) == 1.0))
       path.radiance += path.throughput * l.scattered.f_cos * drawn->radiance
-                       * (share(drawn->pdf, l.scattered.pdf) / drawn->pdf)
+                       * (share(drawn->pdf, l.scattered.pdf) * path.open / drawn->pdf)
                        * visible(drawn->direction, INFINITY, l.across, false);
   }
 

@@ -24,8 +24,9 @@ namespace gg::truth {
 enum class Transport {
   full,        // all paths of any length
   surface_only // the first visible surface, lit by everything through its BSDF alone: nothing
-               // shadows, nothing is reflected twice. Behind a solid's first interface the
-               // environment goes on, radiance / index² kept
+  // shadows, nothing is reflected twice. The environment is dimmed by the occlusion map,
+  // which full transport ignores as it finds occlusion itself. Behind a solid's first
+  // interface the environment goes on, radiance / index² kept
 };
 
 struct Sample {

@@ -14,21 +14,27 @@ layout(location = 6) in vec2 inUv2;
 layout(location = 7) in vec2 inUv3;
 
 layout(location = 0) out vec3 outPosition; // world, metres
-layout(location = 1) out vec3 outNormal;   // world, length left to interpolation
+layout(location = 1) out vec3 outNormal;   // world, unit at the corners, length left to interpolation
 layout(location = 2) out vec4 outTangent;
 layout(location = 3) out vec4 outColor;
 layout(location = 4) out vec4 outUv01;
 layout(location = 5) out vec4 outUv23;
 
+// MikkTSpace's basis is unit at the corners: a scaled instance must not flatten or steepen its normal map.
+vec3 unitOrZero(vec3 v) {
+    float s = dot(v, v);
+    return s > 0.0 ? v * inversesqrt(s) : v;
+}
+
 void main() {
     vec4 position = instance.worldFromMesh * vec4(inPosition, 1.0);
     gl_Position = frame.clipFromWorld * position;
     outPosition = position.xyz;
-    outNormal = mat3(instance.normalFromMesh) * inNormal;
+    outNormal = unitOrZero(mat3(instance.normalFromMesh) * inNormal);
     // What no map reads is neither fetched nor transformed.
     outTangent = vec4(0.0);
     if (normalMapUv > 0)
-        outTangent = vec4(mat3(instance.worldFromMesh) * inTangent.xyz, inTangent.w * instance.normalFromMesh[3][3]);
+        outTangent = vec4(unitOrZero(mat3(instance.worldFromMesh) * inTangent.xyz), inTangent.w * instance.normalFromMesh[3][3]);
     outColor = vec4(1.0);
     if (hasVertexColor) outColor = inColor;
     outUv01 = vec4(0.0);

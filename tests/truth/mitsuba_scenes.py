@@ -168,14 +168,18 @@ def diffuse(grey):
 
 
 def gold(alpha, distribution="ggx"):
+    # Seen and met from both sides: the model has holes, and what is behind them must be the same.
     return {
-        "gltf": {"extras": {"groundglass": {"preset": "gold", "alpha": alpha, "distribution": distribution}}},
+        "gltf": {"doubleSided": True, "extras": {"groundglass": {"preset": "gold", "alpha": alpha, "distribution": distribution}}},
         "bsdf": {
-            "type": "roughconductor",
-            "alpha": alpha,
-            "distribution": distribution,
-            "eta": {"type": "rgb", "value": GOLD["n"]},
-            "k": {"type": "rgb", "value": GOLD["k"]},
+            "type": "twosided",
+            "bsdf": {
+                "type": "roughconductor",
+                "alpha": alpha,
+                "distribution": distribution,
+                "eta": {"type": "rgb", "value": GOLD["n"]},
+                "k": {"type": "rgb", "value": GOLD["k"]},
+            },
         },
         "interior": None,
     }
@@ -287,12 +291,12 @@ def read_map(path, largest):
 
 
 def for_mitsuba(image):
-    """Mitsuba puts texel i of w at u = i / w and row j of h at v = j / (h - 1), we put them at
-    (i + 1/2) / w and (j + 1/2) / h. On a grid twice as fine both bilinear surfaces are the same
-    one. Its u is ours less a quarter."""
+    """Mitsuba puts row j of h at v = j / (h - 1), we put it at (j + 1/2) / h; on 2 h + 1 rows both
+    bilinear surfaces are the same one. Texel i of w is at (i + 1/2) / w for both, and its u is ours
+    less a quarter: on 3 w columns ours are among its texels' centres."""
     h, w = image.shape[:2]
     rows = np.clip(np.arange(2 * h + 1) / 2 - 0.5, 0, h - 1)
-    columns = np.arange(2 * w) / 2 - 0.5 + w / 4
+    columns = (np.arange(3 * w) + 0.5) / 3 - 0.5 + w / 4
     r0, c0 = np.floor(rows).astype(int), np.floor(columns).astype(int)
     r1 = np.minimum(r0 + 1, h - 1)
     fr, fc = (rows - r0)[:, None, None], (columns - c0)[None, :, None]
