@@ -121,14 +121,18 @@ TEST_P(Devices, time_passes) {
   const std::vector<Pass> passes = {pass("short", 1), pass("long", 256)};
   device().run(passes); // whatever happens only once
   std::vector<PassTime> times;
-  device().run(passes, &times);
-  ASSERT_EQ(times.size(), 2u);
-  EXPECT_EQ(times[0].label, "short");
-  EXPECT_EQ(times[1].label, "long");
-  EXPECT_GT(times[0].ms, 0.0);
-  EXPECT_GT(times[1].ms, times[0].ms); // 256 times the work, if not all at once
-  device().run(passes, &times);
-  EXPECT_EQ(times.size(), 4u); // appended
+  constexpr int rounds = 5; // the least of several: a busy machine only adds
+  double short_ms = 1e9, long_ms = 1e9;
+  for (int i = 0; i < rounds; ++i) {
+    device().run(passes, &times);
+    ASSERT_EQ(times.size(), static_cast<std::size_t>(2 * (i + 1))); // appended
+    EXPECT_EQ(times[times.size() - 2].label, "short");
+    EXPECT_EQ(times.back().label, "long");
+    short_ms = std::min(short_ms, times[times.size() - 2].ms);
+    long_ms = std::min(long_ms, times.back().ms);
+  }
+  EXPECT_GT(short_ms, 0.0);
+  EXPECT_GT(long_ms, short_ms); // 256 times the work, if not all at once
 }
 
 TEST(devices, are_listed_with_numbers_that_choose_them) {

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <mutex>
+#include <set>
 #include <string_view>
 
 namespace gg::gpu::surface {
@@ -23,7 +23,6 @@ struct Functions {
   PFNEGLGETPROCADDRESSPROC get_proc_address = nullptr;
   PFNEGLQUERYSTRINGPROC query_string = nullptr;
   PFNEGLINITIALIZEPROC initialize = nullptr;
-  PFNEGLTERMINATEPROC terminate = nullptr;
   PFNEGLBINDAPIPROC bind_api = nullptr;
   PFNEGLCREATECONTEXTPROC create_context = nullptr;
   PFNEGLDESTROYCONTEXTPROC destroy_context = nullptr;
@@ -37,7 +36,6 @@ struct Functions {
     library.load(get_proc_address, "eglGetProcAddress");
     library.load(query_string, "eglQueryString");
     library.load(initialize, "eglInitialize");
-    library.load(terminate, "eglTerminate");
     library.load(bind_api, "eglBindAPI");
     library.load(create_context, "eglCreateContext");
     library.load(destroy_context, "eglDestroyContext");
@@ -53,7 +51,7 @@ struct Functions {
     function = reinterpret_cast<Function>(get_proc_address(name));
   }
   bool complete() const {
-    return get_proc_address && query_string && initialize && terminate && bind_api && create_context
+    return get_proc_address && query_string && initialize && bind_api && create_context
            && destroy_context && make_current && get_error && get_platform_display;
   }
 };
@@ -89,53 +87,39 @@ std::vector<EGLDeviceEXT> devices() {
   return result;
 }
 
-// EGL hands out one display per device, and terminating it ends every context on it: it is
-// initialised for the first context and terminated after the last.
-class Display {
-public:
-  explicit Display(EGLDisplay handle) : handle_(handle) {
-    if (!handle || !egl().initialize(handle, nullptr, nullptr))
-      throw Error(ExitCode::device, "EGL", "a display cannot be opened", remedy);
-  }
-  ~Display() { egl().terminate(handle_); }
-  Display(const Display&) = delete;
-  Display& operator=(const Display&) = delete;
-  EGLDisplay handle() const { return handle_; }
-
-private:
-  EGLDisplay handle_;
-};
-
-std::shared_ptr<Display> display(EGLDisplay handle) {
+// EGL hands out one display per device, and terminating it ends every context on it and unloads the
+// driver. So it is opened for the first context and stays open.
+EGLDisplay opened(EGLDisplay display) {
   static std::mutex mutex;
-  static std::map<EGLDisplay, std::weak_ptr<Display>> open;
+  static std::set<EGLDisplay> open;
   const std::lock_guard lock(mutex);
-  std::shared_ptr<Display> result = open[handle].lock();
-  if (!result) open[handle] = result = std::make_shared<Display>(handle);
-  return result;
+  if (open.contains(display)) return display;
+  if (!display || !egl().initialize(display, nullptr, nullptr))
+    throw Error(ExitCode::device, "EGL", "a display cannot be opened", remedy);
+  open.insert(display);
+  return display;
 }
 
 class EglContext final : public Context {
 public:
-  EglContext(std::shared_ptr<Display> display, EGLContext context)
-      : display_(std::move(display)), context_(context) {}
+  EglContext(EGLDisplay display, EGLContext context) : display_(display), context_(context) {}
   ~EglContext() override {
     leave();
-    egl().destroy_context(display_->handle(), context_);
+    egl().destroy_context(display_, context_);
   }
   Proc proc(const char* name) const override { return egl().get_proc_address(name); }
 
 private:
   bool bind() override {
     return egl().bind_api(EGL_OPENGL_API)
-           && egl().make_current(display_->handle(), EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+           && egl().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
   }
   void unbind() noexcept override {
     egl().bind_api(EGL_OPENGL_API);
-    egl().make_current(display_->handle(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    egl().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   }
 
-  std::shared_ptr<Display> display_;
+  EGLDisplay display_;
   EGLContext context_;
 };
 
@@ -174,8 +158,8 @@ std::unique_ptr<Context> open_egl(const EglChoice& choice, bool debug) {
     throw Error(ExitCode::device, "EGL", "libEGL.so.1 is not on this machine", remedy);
   if (!api.complete())
     throw Error(ExitCode::device, "EGL", "this libEGL.so.1 is older than EGL 1.5", remedy);
-  std::shared_ptr<Display> where = display(find_display(choice));
-  const char* extensions = api.query_string(where->handle(), EGL_EXTENSIONS);
+  const EGLDisplay where = opened(find_display(choice));
+  const char* extensions = api.query_string(where, EGL_EXTENSIONS);
   for (const char* needed : {"EGL_KHR_surfaceless_context", "EGL_KHR_no_config_context"})
     if (!lists(extensions, needed))
       throw Error(ExitCode::device, "EGL", std::string("its driver lacks ") + needed, remedy);
@@ -191,12 +175,11 @@ std::unique_ptr<Context> open_egl(const EglChoice& choice, bool debug) {
                                             EGL_NONE};
   EGLContext context = EGL_NO_CONTEXT;
   if (api.bind_api(EGL_OPENGL_API))
-    context =
-        api.create_context(where->handle(), EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+    context = api.create_context(where, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
   if (!context)
     throw Error(ExitCode::device, "EGL", "its driver does not offer OpenGL 4.5 core",
                 "Update the driver, choose another --device, or choose --surface osmesa.");
-  return std::make_unique<EglContext>(std::move(where), context);
+  return std::make_unique<EglContext>(where, context);
 }
 
 } // namespace gg::gpu::surface
