@@ -98,9 +98,15 @@ std::vector<PixelFactor> balanced_corners(int width, int height, int face, doubl
   std::vector<PixelFactor> factors;
   // Where a kernel spans half the way between two corners, their neighbourhoods would overlap.
   if (4.5 * reach * sigma > 0.5) return factors;
-  for (int k = 0; k < 8; ++k) {
-    const glm::dvec3 corner(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
-    balance(glm::normalize(corner), width, height, face, sigma, reach, row_weights, factors);
+  std::vector<PixelFactor> one;
+  balance(glm::normalize(glm::dvec3(1.0)), width, height, face, sigma, reach, row_weights, one);
+  // Both lattices are their own mirror images in x, y and z: the other seven corners are like this one.
+  const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
+  for (const PixelFactor& f : one) {
+    const std::size_t x = f.pixel % w, y = f.pixel / w;
+    for (const std::size_t row : {y, h - 1 - y})
+      for (const std::size_t column : {x, w - 1 - x, (w + w / 2 - 1 - x) % w, (w / 2 + x) % w})
+        factors.push_back({row * w + column, f.factor});
   }
   return factors;
 }

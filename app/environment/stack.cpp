@@ -213,11 +213,12 @@ void Builder::blur(const gpu::View& from, const gpu::View& to, int size, double 
   const gpu::View first = gpu::whole(plane("weights", size, size)),
                   second = gpu::whole(plane("weights", size, size)),
                   third = gpu::whole(plane("weights", size, size));
-  add("environment: balance", blur_pipeline(1, narrow), step, {}, "weightsResult", first, size, 1);
+  add("environment: balance", blur_pipeline(1, narrow), step, {}, "weightsResult", first, size / 2,
+      1);
   add("environment: balance", blur_pipeline(2, narrow), step, {{"weights", first, point_}},
-      "weightsResult", second, size, 1);
+      "weightsResult", second, size / 2, 1);
   add("environment: balance", blur_pipeline(2, narrow), step, {{"weights", second, point_}},
-      "weightsResult", third, size, 1);
+      "weightsResult", third, size / 2, 1);
   const gpu::View weighted =
       faces(scratch_, std::countr_zero(static_cast<unsigned>(face_ / 2 / size)));
   add("environment: weigh", weigh_[halved], step,

@@ -11,8 +11,8 @@
 
 // Where sums over a lattice end, in sigma, and the variance of a plane's Gaussian that is cut off there, relative to the
 // whole one's: 1 - x exp(-x) / (1 - exp(-x)), x = reach² / 2. A kernel that is wider by its inverse makes up for it.
-const float HEAT_KERNEL_REACH = 3.3;
-const float HEAT_KERNEL_KEPT = 0.976387;
+const float HEAT_KERNEL_REACH = 3.0;
+const float HEAT_KERNEL_KEPT = 0.949448;
 
 // θ² = asin²(sqrt(x)) = x + x²/3 + 8 x³/45 + 4 x⁴/35 + ..., sqrt(θ / sin θ) = 1 + θ²/12 + ...
 float heatKernel(float sin2, float inverseTwiceVariance) {

@@ -22,7 +22,9 @@ layout(binding = 4, r32f) uniform writeonly image2D weightsResult;
 void main() {
     ivec3 texel = ivec3(gl_GlobalInvocationID);
     int size = environmentStep.sizes.x;
-    if (texel.x >= size || texel.y >= size) return;
+    // A face is its own mirror image both ways: a quarter of it is balanced, and kept four times.
+    int side = stage == 0 ? size : size / 2;
+    if (texel.x >= side || texel.y >= side) return;
     vec3 d = cubeTexelDirection(texel.z, texel.x, texel.y, size);
     CubeTexel own = cubeTexel(texel.x, texel.y, size);
 
@@ -66,6 +68,11 @@ void main() {
         imageStore(result, texel, vec4(roundToHalfRgb(sum.xyz / sum.w), 1.0));
     } else {
         float b = stage == 1 ? 1.0 : texelFetch(weights, texel.xy, 0).x / own.solidAngle;
-        imageStore(weightsResult, texel.xy, vec4(own.solidAngle * sqrt(b / sum.w)));
+        vec4 weight = vec4(own.solidAngle * sqrt(b / sum.w));
+        ivec2 mirrored = ivec2(size - 1) - texel.xy;
+        imageStore(weightsResult, texel.xy, weight);
+        imageStore(weightsResult, ivec2(mirrored.x, texel.y), weight);
+        imageStore(weightsResult, ivec2(texel.x, mirrored.y), weight);
+        imageStore(weightsResult, mirrored, weight);
     }
 }
