@@ -3,10 +3,10 @@
 // alpha    none; sigma: radians per axis, >= 0, exp(-l(l+1) sigma²/2) on the sphere.
 // Returns  gaussianStackLevels: levels of the two cubes that the stack is kept in, and the odd one's share.
 //          Levels by growing sigma: even 0 (sharp), even 1, odd 0, even 2, odd 1, even 3, ... Faces halve with every second.
-// Source   DESIGN.md, "Environment". stack = GaussianStack::shape of app/environment/stack.h: x sigma of even 0, y sigma of
+// Source   app/environment/stack.h. stack = Stack::shape: x sigma of even 0, y sigma of
 //          even 1, both with the blur of bilinear lookup in them, z number of levels past even 1, w radiance of one stored unit.
 // Limits   between two levels the mix keeps the variance, hence smooth maps to the second order; the peak of a point of
-//          light is up to 17 % too high half-way. On made-up HDR maps the RMS log error half-way is .057, .12 with levels
+//          light is up to 12 % too high half-way. On made-up HDR maps the RMS log error half-way is .057, .15 with levels
 //          a factor 2 apart. Wider than the last level counts as the last.
 #ifndef GG_ENVIRONMENT_GAUSSIAN_STACK_GLSL
 #define GG_ENVIRONMENT_GAUSSIAN_STACK_GLSL

@@ -3,7 +3,7 @@
 // alpha    none. variance: sigma² in rad², per axis of the tangent plane.
 // Returns  heatKernel: the kernel at a point whose angle θ < 1 to the centre has sin2 = sin²θ, times a constant.
 //          heatKernelNarrow: the same where θ is so small that sin²θ is θ².
-// Source   Minakshisundaram and Pleijel's expansion of the heat kernel, first term: exp(-θ²/(2 v)) sqrt(θ / sin θ).
+// Source   [MinakPleijel49], first term: exp(-θ²/(2 v)) sqrt(θ / sin θ).
 // Limits   heatKernel: within 2 % of itself at 4 sigma for sigma <= 0.25, where it is 3e-4 of its peak.
 //          Wider ones are summed as Legendre series on the host (app/environment/zonal.h).
 #ifndef GG_ENVIRONMENT_HEAT_KERNEL_GLSL

@@ -5,7 +5,7 @@
 //          lobeAlbedo...: the fraction of light reflected, hemispherical-directional, single scattering, in [0, 1].
 //          edgeShare: how much of it comes from Schlick's edge, in [0, 1]. lobeDirection: unit. diffuseFresnel..: mean of F
 //          over the facets that join wo to a diffuse hemisphere.
-// Source   DESIGN.md, "Tables"; made by `groundglass tables` (app/tables).
+// Source   made by `groundglass tables` (app/tables) from the exact integrals.
 // Limits   two effective angles stand for the distribution of wo . wm: albedos are within 0.003 of the exact integral for
 //          dielectrics from 1.1 to 2.5, for Schlick's form and for metals (aluminium is the worst, others 0.002).
 #ifndef GG_ENVIRONMENT_LOBE_TABLE_GLSL

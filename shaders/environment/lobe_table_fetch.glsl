@@ -3,7 +3,7 @@
 // alpha    slope width in [0, 1] (clamped).
 // Returns  fetchLobeEnergy, fetchLobeTap: see lobe_table.glsl. standardTap: what peers do, the mirror direction at the width of
 //          the lobe at normal incidence.
-// Source   DESIGN.md, "Tables".
+// Source   lobe_table.glsl.
 // Limits   those of lobe_table.glsl.
 #ifndef GG_ENVIRONMENT_LOBE_TABLE_FETCH_GLSL
 #define GG_ENVIRONMENT_LOBE_TABLE_FETCH_GLSL
