@@ -17,8 +17,8 @@ Timers::~Timers() {
 
 void Timers::stamp() {
   const GladGLContext& gl = context_->gl();
-  // A software rasterizer collects triangles and draws them later, tile by tile; a stamp among them
-  // would tell when the first tile reached it.
+  // A software rasterizer collects triangles and stamps alike and works them off later, tile by
+  // tile; a stamp among triangles would tell when the last tile reached it.
   if (software_) gl.Finish();
   if (used_ == queries_.size()) {
     GLuint query = 0;
@@ -28,6 +28,7 @@ void Timers::stamp() {
     queries_.push_back(query);
   }
   gl.QueryCounter(queries_[used_++], GL_TIMESTAMP);
+  if (software_) gl.Finish();
 }
 
 void Timers::collect(std::span<const Pass> passes, std::vector<PassTime>& times) {
