@@ -1,0 +1,105 @@
+// groundglass truth as a user meets it.
+#include "cli/program.h"
+#include "image/image.h"
+#include "support/scratch.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <thread>
+
+namespace gg::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> command(const std::vector<std::string>& more) {
+  std::vector<std::string> words{
+      "truth", asset("scenes/Suzanne/Suzanne.gltf"), "--env", "1,1,1", "--size", "24x16"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::string out(const char* name) {
+  return scratch_directory() / name;
+}
+
+TEST(truth_command, writes_the_mean_its_error_and_the_objects) {
+  ASSERT_EQ(run_program(command({"-o", out("a.exr"), "--spp", "8", "--seed", "5"})).code, 0);
+  const image::Exr exr = image::read_exr(out("a.exr"));
+  for (const char* channel : {"R", "G", "B", "stderr.R", "stderr.G", "stderr.B", "id", "coverage"})
+    EXPECT_TRUE(exr.channels.contains(channel)) << channel;
+  EXPECT_EQ(exr.width, 24);
+  EXPECT_EQ(exr.height, 16);
+  EXPECT_EQ(exr.attributes.at("spp"), "8");
+  EXPECT_EQ(exr.attributes.at("seed"), "5");
+  EXPECT_TRUE(exr.attributes.contains("meanStandardError"));
+  EXPECT_NE(exr.attributes.at("command").find("--spp 8"), std::string::npos);
+  EXPECT_EQ(exr.channels.at("id")[24 * 8 + 12], 1.0f);
+  EXPECT_EQ(exr.channels.at("R")[0], 1.0f); // the constant sky
+  EXPECT_TRUE(fs::is_regular_file(out("a.exr")));
+}
+
+TEST(truth_command, resumes_only_what_was_asked_for_in_the_same_way) {
+  const std::string file = out("a.exr");
+  ASSERT_EQ(run_program(command({"-o", file, "--spp", "4"})).code, 0);
+  ASSERT_EQ(run_program(command({"-o", file, "--spp", "12", "--resume"})).code, 0);
+  EXPECT_EQ(image::read_exr(file).attributes.at("spp"), "12");
+  const Finished other =
+      run_program(command({"-o", file, "--spp", "16", "--resume", "--seed", "1"}));
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("seed"), std::string::npos) << other.err;
+  const Finished larger =
+      run_program(command({"-o", file, "--spp", "16", "--resume", "--fovy", "30"}));
+  EXPECT_EQ(larger.code, 2);
+  EXPECT_NE(larger.err.find("camera"), std::string::npos) << larger.err;
+  EXPECT_EQ(image::read_exr(file).attributes.at("spp"), "12");
+}
+
+TEST(truth_command, interrupted_keeps_what_it_has) {
+  const std::string file = out("a.exr");
+  // The program may not have begun to trace when it is told to stop: then it is given longer.
+  for (int seconds = 1; seconds <= 32 && !fs::exists(file); seconds *= 2) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      std::vector<std::string> words = command({"-o", file, "--spp", "1000000000"});
+      words.insert(words.begin(), GROUNDGLASS_PROGRAM);
+      std::vector<char*> argv;
+      for (std::string& word : words)
+        argv.push_back(word.data());
+      argv.push_back(nullptr);
+      ::execv(GROUNDGLASS_PROGRAM, argv.data());
+      ::_exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::seconds(seconds));
+    ::kill(child, SIGINT);
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+  }
+  ASSERT_TRUE(fs::exists(file));
+  EXPECT_GE(std::stol(image::read_exr(file).attributes.at("spp")), 2);
+}
+
+TEST(truth_command, refuses_what_it_cannot_do_before_working) {
+  const std::pair<std::vector<std::string>, int> refusals[] = {
+      {{"-o", out("a.png")}, 2},
+      {{"-o", out("a.exr"), "--spp", "1"}, 2},
+      {{"-o", out("a.exr"), "--spp", "8", "--error", "0.1"}, 2},
+      {{"-o", out("a.exr"), "--error", "-1"}, 2},
+      {{"-o", out("a.exr"), "--smith", "jones"}, 2},
+      {{"-o", out("nowhere/a.exr")}, 5},
+  };
+  for (const auto& [arguments, code] : refusals)
+    EXPECT_EQ(run_program(command(arguments)).code, code) << arguments.back();
+  EXPECT_FALSE(fs::exists(out("a.exr")));
+}
+
+} // namespace
+} // namespace gg::test
