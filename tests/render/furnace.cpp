@@ -91,6 +91,23 @@ TEST_P(Render, metal_ball_in_the_white_furnace_shows_its_single_scatter_albedo) 
     }
 }
 
+// With --multiscatter a surface that reflects everything sends everything back: [KullaConty17]'s lobe holds what single
+// scattering loses. What is left is the quadrature of its mean albedo.
+TEST_P(Render, metal_ball_with_multiple_scattering_vanishes_in_the_white_furnace) {
+  constexpr float quadrature = 0.01f;
+  for (const float roughness : {0.3f, 0.7f, 1.0f}) {
+    frame::FrameDesc desc = close_up();
+    desc.multiple_scattering = true;
+    const image::Image picture =
+        draw(ball(metal(roughness)), {environment::constant(glm::vec3(1.0f)), desc});
+    float most = 0.0f, least = 2.0f;
+    for (const float v : picture.values)
+      most = std::max(most, v), least = std::min(least, v);
+    EXPECT_LT(most, 1.0f + quadrature) << "roughness " << roughness;
+    EXPECT_GT(least, 1.0f - quadrature) << "roughness " << roughness;
+  }
+}
+
 // What glTF's dielectric sends back of light that comes from everywhere: specular with exact Fresnel over visible normals,
 // and (1 - F(wo . wm)) / pi under it over the cosine. Appendix B adds them as they are: the base is only told what the facet
 // between wi and wo reflects, so a white base seen at grazing shows up to 1.84 of what there is. That is the model.

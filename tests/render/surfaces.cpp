@@ -109,6 +109,39 @@ TEST_P(Render, a_map_reads_the_set_of_coordinates_that_it_names) {
   expect_color(rgb(picture, near_edge, size - near_edge), green, rounding, "lower left");
 }
 
+TEST_P(Render, two_maps_of_one_material_read_two_sets) {
+  scene::Scene scene = square(dielectric(1.0f, black));
+  scene::Primitive& p = scene.meshes[0].primitives[0];
+  scene.streams.push_back({2,
+                           {0.1f, 0.9f, 0.1f, 0.9f, 0.1f, 0.9f, 0.1f,
+                            0.9f}}); // all of it in the lower left texel: blue
+  p.uvs.push_back(static_cast<scene::Index>(scene.streams.size()) - 1);
+  scene.materials[0].unlit = true;
+  scene.materials[0].base_color = glm::vec4(1.0f);
+  scene.materials[0].base_color_map = four_colors(scene);
+  const image::Image first = draw(scene, {std::nullopt, head_on()});
+  scene.materials[0].unlit = false;
+  scene.materials[0].base_color = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  scene.materials[0].emissive = white;
+  scene.materials[0].emissive_map = four_colors(scene);
+  scene.materials[0].emissive_map.uv_set = 1;
+  const image::Image second = draw(scene, {std::nullopt, head_on()});
+  expect_color(rgb(first, near_edge, near_edge), red, rounding, "base colour, set 0");
+  expect_color(rgb(second, near_edge, near_edge), blue, rounding, "emission, set 1");
+  expect_color(rgb(second, size - near_edge, near_edge), blue, rounding, "emission, set 1, right");
+}
+
+// Interpolated normals lean away from the viewer at silhouettes. There the surface is seen at grazing, not unlit.
+TEST_P(Render, a_normal_that_leans_away_from_the_viewer_leaves_no_black_fringe) {
+  scene::Scene scene = square(metal(0.5f));
+  std::vector<float>& normals =
+      scene.streams[static_cast<std::size_t>(scene.meshes[0].primitives[0].normals)].values;
+  for (std::size_t i = 0; i < normals.size(); i += 3)
+    normals[i] = 1.0f, normals[i + 1] = 0.0f, normals[i + 2] = -0.2f;
+  const glm::vec3 seen = centre(draw(scene, {environment::constant(glm::vec3(1)), head_on()}));
+  EXPECT_GT(seen.r, 0.3f); // the grazing albedo at alpha .25 is .6
+}
+
 TEST_P(Render, base_color_is_decoded_from_srgb_and_multiplied_with_vertex_color) {
   scene::Scene scene = square(unlit(white));
   scene.materials[0].base_color_map = add_texture(scene, 1, 1, {188, 188, 188, 255});
