@@ -53,18 +53,24 @@ double median(std::vector<double> values) {
 // Draws `count` frames after a warm-up and returns milliseconds: of whole frames by the clock, of
 // passes by the device.
 nlohmann::json time_frames(gpu::Device& device, frame::Renderer& renderer, int count) {
-  constexpr int warm_up = 3; // frames until caches and clocks have settled
-  std::vector<double> frames;
+  constexpr int warm_up = 3;             // frames until caches and clocks have settled
+  std::vector<double> frames, recording; // of the host: recording and submitting, without waiting
+  std::uint64_t made = 0;                // objects, allocations and compilations in those frames
   std::map<std::string, std::vector<double>> passes;
   Progress progress("timing", count);
   for (int i = -warm_up; i < count; ++i) {
     device.finish();
     std::map<std::string, double> times;
+    const gpu::DeviceCounters before = device.counters();
     const auto start = Clock::now();
     renderer.draw();
     device.finish();
     if (i < 0) continue;
     frames.push_back(ms_since(start));
+    const gpu::DeviceCounters after = device.counters();
+    recording.push_back(after.record_ms - before.record_ms);
+    made += after.created + after.allocations + after.compiled - before.created - before.allocations
+            - before.compiled;
     // The passes' own timers are read in a frame of their own: reading them waits for the device
     // after every sample.
     renderer.draw(&times);
@@ -84,7 +90,9 @@ nlohmann::json time_frames(gpu::Device& device, frame::Renderer& renderer, int c
             {"min", sorted.front()},
             {"max", sorted.back()},
             {"p95", sorted[rank - 1]}}},
-          {"ms_per_pass", per_pass}};
+          {"ms_per_pass", per_pass},
+          {"record_ms", median(recording)},
+          {"made", made}};
 }
 
 void capture(const Options& o) {
