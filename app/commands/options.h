@@ -55,7 +55,8 @@ glm::vec3 parse_vec3(const std::string& text, const std::string& option);
 scene::Scene load_scene(const SceneOptions& options);
 scene::Camera choose_camera(const SceneOptions& options, const scene::Scene& scene, Size size);
 // Nothing if the scene is lit by its own lights alone.
-std::optional<environment::Map> load_environment(const SceneOptions& options, const scene::Scene& scene);
+std::optional<environment::Map> load_environment(const SceneOptions& options,
+                                                 const scene::Scene& scene);
 std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options);
 frame::Method parse_method(const std::string& text);
 
