@@ -1,17 +1,17 @@
 #include "environment/support.h"
 
+#include "support/devices.h"
+
 #include <glm/gtc/packing.hpp>
 
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <numbers>
 
 namespace gg::environment {
 
 gpu::Device& device() {
-  static const std::unique_ptr<gpu::Device> shared = gpu::create_device({.debug = true});
-  return *shared;
+  return test::shared_device(gpu::Backend::opengl, gpu::Surface::automatic);
 }
 
 CubeLevel read(const gpu::Texture& cube, int level, float unit) {

@@ -1,8 +1,8 @@
 #include "gpu/fixture.h"
 
+#include "support/devices.h"
+
 #include <algorithm>
-#include <map>
-#include <utility>
 
 namespace gg::gpu {
 
@@ -32,12 +32,7 @@ std::string stage(const std::string& file) {
 }
 
 Device& OnDevice::device() {
-  static std::map<std::pair<Backend, Surface>, std::unique_ptr<Device>> devices;
-  const Target& target = GetParam();
-  std::unique_ptr<Device>& device = devices[{target.backend, target.surface}];
-  if (!device)
-    device = create_device({.backend = target.backend, .surface = target.surface, .debug = true});
-  return *device;
+  return test::shared_device(GetParam().backend, GetParam().surface);
 }
 
 TextureRef OnDevice::target(const std::string& label, Format format, int width, int height) {

@@ -1,39 +1,15 @@
 #include "render/harness.h"
 
 #include "environment/stack.h"
+#include "support/devices.h"
 #include "support/pictures.h"
 
 #include <cmath>
-#include <map>
 #include <numbers>
 
 namespace gg::test {
-namespace {
-
-// Devices outlive single tests and end before the process does: a driver that was opened by hand may already have cleaned
-// up when static objects are destroyed.
-class Devices : public ::testing::Environment {
-public:
-  gpu::Device& of(const Backend& backend) {
-    std::unique_ptr<gpu::Device>& found = devices_[backend.name];
-    if (!found)
-      found = gpu::create_device(
-          {.backend = backend.backend, .surface = backend.surface, .debug = true});
-    return *found;
-  }
-  void TearDown() override { devices_.clear(); }
-
-private:
-  std::map<std::string, std::unique_ptr<gpu::Device>> devices_;
-};
-
-Devices* const devices =
-    dynamic_cast<Devices*>(::testing::AddGlobalTestEnvironment(new Devices)); // gtest owns it
-
-} // namespace
-
 gpu::Device& Render::device() const {
-  return devices->of(GetParam());
+  return shared_device(GetParam().backend, GetParam().surface);
 }
 
 image::Image Render::draw(const scene::Scene& scene, Setup setup) const {
