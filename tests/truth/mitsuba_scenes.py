@@ -37,7 +37,7 @@ BATCHES = 32  # renders of Mitsuba, from whose scatter its error is known to 1 /
 GOLD = {"n": [0.14, 0.43, 1.38], "k": [3.697, 2.455, 1.914]}  # of our preset `gold`
 # Seen through glass, the environment is clipped here, for both: light that only chance finds makes
 # pixels whose noise no number of samples that one waits for describes. Metals see all of it.
-CLIP = 50.0
+CLIP = 4.0
 # Of rms Z: pixels' standard errors are themselves estimates, and radiance is skewed.
 Z_LIMIT = 1.25
 FAR_LIMIT = 5e-3
