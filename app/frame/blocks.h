@@ -21,6 +21,6 @@ using glm::vec4;
 static_assert(offsetof(FrameData, eye) == 128 && sizeof(FrameData) == 208);
 static_assert(offsetof(InstanceData, normalFromMesh) == 64 && sizeof(InstanceData) == 128);
 static_assert(offsetof(LightData, cone) == 48 && sizeof(LightData) == 64);
-static_assert(offsetof(MaterialData, baseColorRow0) == 96 && sizeof(MaterialData) == 320);
+static_assert(offsetof(MaterialData, baseColorRow0) == 128 && sizeof(MaterialData) == 416);
 
 } // namespace gg::frame

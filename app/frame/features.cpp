@@ -1,6 +1,7 @@
 #include "frame/features.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gg::frame {
 namespace {
@@ -23,13 +24,22 @@ Shading shading_of(const Material& m, const Primitive& primitive) {
   return Shading::metal;
 }
 
+Transmission transmission_of(const Material& m) {
+  if (!is_refractive(m)) return Transmission::none;
+  return m.thickness > 0.0f ? Transmission::solid : Transmission::thin;
+}
+
 } // namespace
+
+bool is_refractive(const Material& m) {
+  return m.transmission > 0.0f && !m.unlit && !m.conductor && m.metallic < 1.0f;
+}
 
 std::vector<int> uv_sets_of(const Material& m, const Primitive& primitive) {
   std::vector<int> sets;
-  for (const Slot* slot :
-       {&m.base_color_map, &m.metallic_roughness_map, &m.normal_map, &m.occlusion_map,
-        &m.emissive_map, &m.specular_map, &m.specular_color_map})
+  for (const Slot* slot : {&m.base_color_map, &m.metallic_roughness_map, &m.normal_map,
+                           &m.occlusion_map, &m.emissive_map, &m.specular_map,
+                           &m.specular_color_map, &m.transmission_map, &m.thickness_map})
     if (reads(*slot, primitive) && std::ranges::find(sets, slot->uv_set) == sets.end()
         && static_cast<int>(sets.size()) < max_uv_sets)
       sets.push_back(slot->uv_set);
@@ -75,6 +85,17 @@ FeatureKey features_of(const Material& m, const Primitive& primitive, const Fram
     set(Feature::schlick_dielectric, m.specular != 1.0f || m.specular_color != glm::vec3(1.0f)
                                          || m.ior == 0.0f || m.specular_map
                                          || m.specular_color_map);
+  }
+  if (const Transmission transmission = transmission_of(m); transmission != Transmission::none) {
+    set(Feature::transmission, transmission);
+    map(Feature::transmission_map, m.transmission_map);
+    set(Feature::index_one, m.ior == 1.0f);
+    set(Feature::dispersion, m.dispersion > 0.0f);
+    if (transmission == Transmission::solid) {
+      map(Feature::thickness_map, m.thickness_map);
+      set(Feature::attenuation,
+          std::isfinite(m.attenuation_distance) && m.attenuation_color != glm::vec3(1.0f));
+    }
   }
   return key;
 }

@@ -10,11 +10,20 @@
 
 namespace gg::frame {
 
-// How the environment's reflection is looked up.
-enum class Method {
-  standard, // what peers do: split sum along the mirror direction
-  lobes1    // one fitted Gaussian
+// How light from the surroundings is looked up. Any number that is no name below is fis(N).
+enum class Method : int {
+  standard =
+      0, // what peers do: split sum along the mirror direction; one interface, its LOD by index
+  lobes1 = 1, // so many fitted Gaussians
+  lobes2 = 2,
+  lobes3 = 3,
+  lobes4 = 4
 };
+// Importance sampling with N directions, each reading the level of its own solid angle.
+inline constexpr int first_fis = 100;
+constexpr Method fis(int n) {
+  return static_cast<Method>(first_fis + n);
+}
 
 // What the frame as a whole asks of every draw.
 struct FrameFeatures {
@@ -44,9 +53,19 @@ enum class Feature : std::uint32_t {
   multiple_scattering,
   schlick_dielectric,
   uv_sets,
+  transmission,
+  transmission_map,
+  thickness_map,
+  dispersion,
+  index_one,
+  attenuation,
   count
 };
 enum class Shading { unlit, dielectric, metal, mixed, conductor };
+enum class Transmission { none, thin, solid };
+
+// True for a material that light passes by refraction. Its alpha mode does not matter.
+bool is_refractive(const scene::Material& material);
 
 // One value per Feature: the key under which a pipeline is kept.
 using FeatureKey = std::array<std::int32_t, static_cast<std::size_t>(Feature::count)>;

@@ -15,109 +15,34 @@ namespace {
 constexpr gpu::Format color_format = gpu::Format::rgba32f;
 constexpr gpu::Format depth_format = gpu::Format::depth32f;
 
-// Attribute locations of stages/opaque.vert; each has a vertex binding of its own, as glTF's
-// streams are separate.
-constexpr int position_location = 0, normal_location = 1, tangent_location = 2, color_location = 3,
-              uv_location = 4;
-
-struct MapName {
-  const char* name;
-  scene::Slot scene::Material::*slot;
-  Feature feature;
-  bool srgb;
-};
-constexpr MapName maps[] = {
-    {"baseColorMap", &scene::Material::base_color_map, Feature::base_color_map, true},
-    {"metallicRoughnessMap", &scene::Material::metallic_roughness_map,
-     Feature::metallic_roughness_map, false},
-    {"normalMap", &scene::Material::normal_map, Feature::normal_map, false},
-    {"occlusionMap", &scene::Material::occlusion_map, Feature::occlusion_map, false},
-    {"emissiveMap", &scene::Material::emissive_map, Feature::emissive_map, true},
-    {"specularMap", &scene::Material::specular_map, Feature::specular_map, false},
-    {"specularColorMap", &scene::Material::specular_color_map, Feature::specular_color_map, true},
-};
-
-int value_of(const FeatureKey& key, Feature feature) {
-  return key[static_cast<std::size_t>(feature)];
-}
-
-// The inputs of stages/opaque.vert that are left when it is specialised, each from a vertex buffer
-// of its own, as glTF's streams are separate.
-struct Input {
-  int location, components;
-};
-std::vector<Input> attributes_of(const FeatureKey& key) {
-  std::vector<Input> inputs{{position_location, 3}, {normal_location, 3}};
-  if (value_of(key, Feature::normal_map) > 0) inputs.push_back({tangent_location, 4});
-  if (value_of(key, Feature::vertex_color) > 0) inputs.push_back({color_location, 4});
-  for (int k = 0; k < value_of(key, Feature::uv_sets); ++k)
-    inputs.push_back({uv_location + k, 2});
-  return inputs;
-}
-
-// The streams that feed them, in the same order.
-std::vector<scene::Index> streams_of(const FeatureKey& key, const scene::Primitive& p,
-                                     const std::vector<int>& uv_sets) {
-  std::vector<scene::Index> streams{p.positions, p.normals};
-  if (value_of(key, Feature::normal_map) > 0) streams.push_back(p.tangents);
-  if (value_of(key, Feature::vertex_color) > 0) streams.push_back(p.colors);
-  for (const int set : uv_sets)
-    streams.push_back(p.uvs[static_cast<std::size_t>(set)]);
-  return streams;
-}
-
-// The tables that stand for a material's lobe.
-tables::Model model_of(const scene::Material& material, bool correlated_smith) {
-  switch (material.distribution) {
-  case scene::Distribution::ggx:
-    return {tables::Distribution::ggx,
-            correlated_smith ? tables::Smith::correlated : tables::Smith::separable};
-  case scene::Distribution::beckmann:
-    return {tables::Distribution::beckmann, tables::Smith::separable};
-  case scene::Distribution::phong:
-    return {tables::Distribution::phong, tables::Smith::separable};
-  }
-  return {};
-}
-
 } // namespace
 
-struct Renderer::Draw {
-  const scene::Primitive* primitive;
-  const scene::Material* material;
-  std::size_t material_index, instance_index;
-  FeatureKey key;
-  gpu::PipelineRef pipeline;
-  double distance;                   // from the eye, of the centre of its bounds: for order
-  std::vector<scene::Index> streams; // one per vertex binding
-  struct Map {
-    const char* name;
-    UploadedTexture texture;
-  };
-  std::vector<Map> maps;
-  std::uint32_t index_count;
-  bool mirrored, both_sides;
-};
-
 Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDesc& desc)
-    : device_(device), desc_(desc), uploaded_(device, scene),
+    : device_(device), desc_(desc), uploaded_(device, scene), tables_(wanted_tables()),
+      draws_(device, uploaded_, tables_, features(), desc.camera),
       nearest_(device.create(
           gpu::SamplerDesc{.magnify = gpu::Filter::nearest, .minify = gpu::Filter::nearest})) {
-  upload_tables();
   make_targets();
   make_frame_blocks();
-  make_draws();
   make_passes();
 }
 
 Renderer::~Renderer() = default;
 
-void Renderer::upload_tables() {
-  if (!desc_.environment.stack) return;
+tables::DeviceTables Renderer::wanted_tables() const {
   std::vector<tables::Model> wanted;
-  for (const scene::Material& material : uploaded_.scene().materials)
-    if (!material.unlit) wanted.push_back(model_of(material, desc_.correlated_smith));
-  tables_ = tables::upload(device_, wanted);
+  if (desc_.environment.stack)
+    for (const scene::Material& material : uploaded_.scene().materials)
+      if (!material.unlit) wanted.push_back(model_of(material, desc_.correlated_smith));
+  return tables::upload(device_, wanted);
+}
+
+FrameFeatures Renderer::features() const {
+  return {.method = desc_.method,
+          .correlated_smith = desc_.correlated_smith,
+          .multiple_scattering = desc_.multiple_scattering,
+          .environment = desc_.environment.stack != nullptr,
+          .lights = !uploaded_.scene().lights.empty()};
 }
 
 void Renderer::make_targets() {
@@ -156,94 +81,6 @@ void Renderer::make_frame_blocks() {
   frames_ = upload_uniforms(device_, "frame", frames);
 }
 
-void Renderer::make_draws() {
-  const scene::Scene& scene = uploaded_.scene();
-  FrameFeatures frame{.method = desc_.method,
-                      .correlated_smith = desc_.correlated_smith,
-                      .multiple_scattering = desc_.multiple_scattering,
-                      .environment = desc_.environment.stack != nullptr,
-                      .lights = !scene.lights.empty()};
-  const glm::vec3 eye(desc_.camera.world[3]);
-  const glm::vec3 forward = -glm::normalize(glm::vec3(desc_.camera.world[2]));
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    const scene::Instance& instance = scene.instances[i];
-    for (const scene::Primitive& primitive :
-         scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives) {
-      Draw draw{};
-      draw.primitive = &primitive;
-      draw.material_index = static_cast<std::size_t>(primitive.material);
-      draw.material = &scene.materials[draw.material_index];
-      draw.instance_index = i;
-      draw.key = features_of(*draw.material, primitive, frame);
-      const bool blended = draw.material->alpha_mode == scene::AlphaMode::blend;
-      draw.pipeline = pipeline(draw.key, blended);
-      const glm::vec3 centre(instance.world * glm::vec4(primitive.bounds.centre(), 1.0f));
-      draw.distance = glm::dot(centre - eye, forward);
-      draw.streams = streams_of(draw.key, primitive, uv_sets_of(*draw.material, primitive));
-      for (const MapName& map : maps)
-        if (value_of(draw.key, map.feature) > 0)
-          draw.maps.push_back(
-              {map.name, uploaded_.texture((draw.material->*map.slot).texture, map.srgb)});
-      draw.index_count = static_cast<std::uint32_t>(
-          scene.indices[static_cast<std::size_t>(primitive.indices)].size());
-      draw.mirrored = instance.mirrored;
-      draw.both_sides = draw.material->double_sided;
-      triangles_ += draw.index_count / 3;
-      (blended ? blended_ : opaque_).push_back(std::move(draw));
-    }
-  }
-  // Opaque near to far, so that the depth test spares hidden shading; blended far to near, so that
-  // "over" is right.
-  std::ranges::stable_sort(opaque_, std::less{}, &Draw::distance);
-  std::ranges::stable_sort(blended_, std::greater{}, &Draw::distance);
-}
-
-gpu::PipelineRef Renderer::pipeline(const FeatureKey& key, bool blended) {
-  gpu::PipelineRef& found = pipelines_[{key, blended}];
-  if (found) return found;
-  gpu::PipelineDesc desc{.label = blended ? "blended" : "opaque",
-                         .vertex = "opaque.vert",
-                         .fragment = "opaque.frag",
-                         .constants = constants_of(key),
-                         .colors = {color_format},
-                         .depth = depth_format,
-                         .depth_write = !blended,
-                         .blend = blended ? gpu::Blend::over : gpu::Blend::none};
-  for (const auto& [location, components] : attributes_of(key)) {
-    desc.attributes.push_back({.location = location,
-                               .components = components,
-                               .binding = static_cast<int>(desc.bindings.size())});
-    desc.bindings.push_back({.stride = static_cast<std::uint32_t>(components) * 4u});
-  }
-  found = device_.create(desc);
-  return found;
-}
-
-void Renderer::record(gpu::Encoder& encoder, const Draw& draw) const {
-  const scene::Primitive& p = *draw.primitive;
-  const UniformArray& materials = uploaded_.materials();
-  const UniformArray& instances = uploaded_.instances();
-  encoder.use(draw.pipeline);
-  encoder.buffer("Instance", instances.buffer, instances.offset(draw.instance_index),
-                 instances.size);
-  encoder.buffer("Material", materials.buffer, materials.offset(draw.material_index),
-                 materials.size);
-  for (std::size_t k = 0; k < draw.streams.size(); ++k)
-    encoder.vertices(static_cast<int>(k), uploaded_.stream(draw.streams[k]));
-  if (desc_.environment.stack && !draw.material->unlit) {
-    const tables::ModelTables& tables =
-        tables_.of(model_of(*draw.material, desc_.correlated_smith));
-    encoder.texture("energyTable", gpu::whole(tables.energy), tables_.sampler);
-    encoder.texture("lobeTable", gpu::whole(tables.lobe), tables_.sampler);
-  }
-  for (const Draw::Map& map : draw.maps)
-    encoder.texture(map.name, map.texture.view, map.texture.sampler);
-  encoder.cull(draw.both_sides ? gpu::Cull::none : gpu::Cull::back);
-  encoder.front_is_clockwise(draw.mirrored);
-  encoder.indices(uploaded_.indices(p.indices));
-  encoder.draw_indexed(draw.index_count);
-}
-
 void Renderer::bind_environment(gpu::Encoder& encoder) const {
   const environment::Stack& stack = *desc_.environment.stack;
   encoder.texture("stackEven", gpu::whole(stack.even), stack.sampler);
@@ -257,18 +94,18 @@ void Renderer::record_sky(gpu::Encoder& encoder) const {
 }
 
 std::vector<gpu::View> Renderer::sampled() const {
-  std::vector<gpu::View> views;
-  for (const auto* draws : {&opaque_, &blended_})
-    for (const Draw& draw : *draws)
-      for (const Draw::Map& map : draw.maps)
-        views.push_back(map.texture.view);
+  std::vector<gpu::View> views = draws_.sampled();
   if (const environment::Stack* stack = desc_.environment.stack)
     for (const gpu::TextureRef& cube : {stack->even, stack->odd, stack->irradiance})
       views.push_back(gpu::whole(cube));
-  for (const tables::ModelTables& model : tables_.of_model)
-    for (const gpu::TextureRef& table : {model.energy, model.lobe})
-      if (table) views.push_back(gpu::whole(table));
   return views;
+}
+
+std::vector<Renderer::Recorded> Renderer::recorded(Role role, const DrawPass& pass) {
+  std::vector<Recorded> result;
+  for (const Draw* draw : draws_.of(role))
+    result.push_back({draw, draws_.pipeline(pass, *draw)});
+  return result;
 }
 
 void Renderer::make_passes() {
@@ -288,6 +125,15 @@ void Renderer::make_passes() {
                           .colors = {color_format},
                           .blend = gpu::Blend::add});
 
+  const DrawPass opaque{.label = "opaque", .fragment = "opaque.frag", .colors = {color_format}};
+  opaque_ = recorded(Role::opaque, opaque);
+  for (const Recorded& glass : recorded(Role::refractive, opaque))
+    opaque_.push_back(glass);
+  blended_ = recorded(Role::blended, {.label = "blended",
+                                      .fragment = "opaque.frag",
+                                      .colors = {color_format},
+                                      .depth_write = false,
+                                      .blend = gpu::Blend::over});
   const std::vector<gpu::View> textures = sampled();
 
   for (int i = 0; i < desc_.samples; ++i) {
@@ -304,11 +150,11 @@ void Renderer::make_passes() {
                           frames_.size);
            encoder.buffer("Lights", uploaded_.lights());
            if (desc_.environment.stack) bind_environment(encoder);
-           for (const Draw& draw : opaque_)
-             record(encoder, draw);
+           for (const auto& [draw, pipeline] : opaque_)
+             draws_.record(encoder, pipeline, *draw);
            if (sky_) record_sky(encoder);
-           for (const Draw& draw : blended_)
-             record(encoder, draw);
+           for (const auto& [draw, pipeline] : blended_)
+             draws_.record(encoder, pipeline, *draw);
          }});
     if (desc_.samples > 1) {
       gpu::ColorTarget average{.view = gpu::whole(average_)};

@@ -1,6 +1,7 @@
 // A frame of one scene: which passes it takes, and running them.
 #pragma once
 
+#include "frame/draws.h"
 #include "frame/features.h"
 #include "frame/uploaded_scene.h"
 #include "gpu/device.h"
@@ -50,34 +51,35 @@ public:
   // The frame as drawn: linear radiance, RGBA (a = coverage by meshes or environment).
   image::Image read();
 
-  std::vector<std::string> pass_labels() const;             // in the order of one sample
-  std::size_t triangle_count() const { return triangles_; } // per sample
+  std::vector<std::string> pass_labels() const; // in the order of one sample
+  std::size_t triangle_count() const { return draws_.triangle_count(); } // per sample
 
 private:
-  struct Draw;
-  void upload_tables();
+  struct Recorded {
+    const Draw* draw;
+    gpu::PipelineRef pipeline;
+  };
+  tables::DeviceTables wanted_tables() const; // of the models that the scene's materials use
+  FrameFeatures features() const;
   void make_targets();
   void make_frame_blocks();
-  void make_draws();
   void make_passes();
+  std::vector<Recorded> recorded(Role role, const DrawPass& pass);
   std::vector<gpu::View> sampled() const; // every texture that the draws read
-  gpu::PipelineRef pipeline(const FeatureKey& key, bool blended);
-  void record(gpu::Encoder& encoder, const Draw& draw) const;
   void bind_environment(gpu::Encoder& encoder) const;
   void record_sky(gpu::Encoder& encoder) const;
 
   gpu::Device& device_;
   FrameDesc desc_;
-  tables::DeviceTables tables_; // of the models that the scene's materials use
   UploadedScene uploaded_;
+  tables::DeviceTables tables_;
+  Draws draws_;
   gpu::TextureRef color_, depth_, average_;
   UniformArray frames_; // one block per sample
   gpu::SamplerRef nearest_;
   gpu::PipelineRef sky_, accumulate_;
-  std::map<std::pair<FeatureKey, bool>, gpu::PipelineRef> pipelines_;
-  std::vector<Draw> opaque_, blended_;         // near to far, far to near
+  std::vector<Recorded> opaque_, blended_;
   std::vector<std::vector<gpu::Pass>> passes_; // by sample
-  std::size_t triangles_ = 0;
 };
 
 } // namespace gg::frame

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace gg::frame {
 namespace {
@@ -23,6 +24,15 @@ void set_rows(const Slot& slot, vec4& row0, vec4& row1) {
   row1 = {t[0][1], t[1][1], t[2][1], slot.scale};
 }
 
+// KHR_materials_volume: white light has attenuation_color after attenuation_distance, so the
+// coefficient is -ln(color) / distance. Black would be infinite: the least normal float stands for
+// it, which no picture tells from 0.
+glm::vec3 absorption_of(const Material& m) {
+  if (!std::isfinite(m.attenuation_distance) || !(m.attenuation_distance > 0.0f)) return glm::vec3(0.0f);
+  const glm::vec3 color = glm::max(m.attenuation_color, glm::vec3(std::numeric_limits<float>::min()));
+  return -glm::log(color) / m.attenuation_distance;
+}
+
 MaterialData block_of(const Material& m) {
   MaterialData block{};
   block.baseColor = m.base_color;
@@ -33,6 +43,8 @@ MaterialData block_of(const Material& m) {
     block.conductorN = vec4(m.conductor->n, 0.0f);
     block.conductorK = vec4(m.conductor->k, 0.0f);
   }
+  block.transmission = {m.transmission, m.back_alpha.value_or(-1.0f), m.dispersion, 0.0f};
+  block.attenuation = vec4(absorption_of(m), m.thickness);
   set_rows(m.base_color_map, block.baseColorRow0, block.baseColorRow1);
   set_rows(m.metallic_roughness_map, block.metallicRoughnessRow0, block.metallicRoughnessRow1);
   set_rows(m.normal_map, block.normalRow0, block.normalRow1);
@@ -40,6 +52,8 @@ MaterialData block_of(const Material& m) {
   set_rows(m.emissive_map, block.emissiveRow0, block.emissiveRow1);
   set_rows(m.specular_map, block.specularRow0, block.specularRow1);
   set_rows(m.specular_color_map, block.specularColorRow0, block.specularColorRow1);
+  set_rows(m.transmission_map, block.transmissionRow0, block.transmissionRow1);
+  set_rows(m.thickness_map, block.thicknessRow0, block.thicknessRow1);
   return block;
 }
 
@@ -172,6 +186,8 @@ void UploadedScene::upload_textures(gpu::Device& device) {
     need(m.normal_map, false);
     need(m.occlusion_map, false);
     need(m.specular_map, false);
+    need(m.transmission_map, false);
+    need(m.thickness_map, false);
   }
 }
 

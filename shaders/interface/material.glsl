@@ -9,6 +9,8 @@ struct MaterialData {
     vec4 specular;          // xyz: colour, w: strength (KHR_materials_specular)
     vec4 conductorN;        // xyz: complex index n - i k per channel
     vec4 conductorK;
+    vec4 transmission;      // x: factor, y: width of D where light leaves a solid, -1 if that of the front, z: dispersion
+    vec4 attenuation;       // xyz: absorption per metre; w: thickness in mesh units
     // KHR_texture_transform of each map: uv' = (row0 . (u, v, 1), row1 . (u, v, 1)); row1.w: scale or strength.
     vec4 baseColorRow0;
     vec4 baseColorRow1;
@@ -24,6 +26,10 @@ struct MaterialData {
     vec4 specularRow1;
     vec4 specularColorRow0;
     vec4 specularColorRow1;
+    vec4 transmissionRow0;
+    vec4 transmissionRow1;
+    vec4 thicknessRow0;
+    vec4 thicknessRow1;
 };
 
 #ifndef __cplusplus

@@ -14,10 +14,16 @@ layout(constant_id = 8) const int alphaMode = 0;       // 0 opaque, 1 mask, 2 bl
 layout(constant_id = 9) const int shading = 0;         // 0 unlit, 1 dielectric, 2 metal, 3 both mixed by metallic, 4 conductor
 layout(constant_id = 10) const int distribution = 0;   // 0 GGX, 1 Beckmann, 2 Phong
 layout(constant_id = 11) const bool correlatedSmith = false;
-layout(constant_id = 12) const int method = 1;         // 0 standard (split sum along the mirror direction), K: K taps
+layout(constant_id = 12) const int method = 1;         // 0 standard (what peers do), K: K taps, 100 + N: N importance samples
 layout(constant_id = 13) const bool hasEnvironment = true;
 layout(constant_id = 14) const bool hasLights = false;
 layout(constant_id = 15) const bool alphaIsGiven = false; // material.surface.z in place of roughness²
 layout(constant_id = 16) const bool multipleScattering = false;
 layout(constant_id = 17) const bool schlickDielectric = false; // KHR_materials_specular tints: F0 is a colour
 layout(constant_id = 18) const int uvSets = 0;          // how many sets of texture coordinates the maps read
+layout(constant_id = 19) const int transmission = 0;    // 0 none, 1 thin-walled, 2 solid
+layout(constant_id = 20) const int transmissionMapUv = 0;
+layout(constant_id = 21) const int thicknessMapUv = 0;
+layout(constant_id = 22) const bool disperses = false;
+layout(constant_id = 23) const bool indexIsOne = false; // bends and reflects nothing
+layout(constant_id = 24) const bool attenuates = false; // absorbs along the way inside
