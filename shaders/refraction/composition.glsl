@@ -1,0 +1,193 @@
+// composition.glsl: the lobe of two rough interfaces, composed from the taps of one: effective roughness.
+// Frame    any. Directions as light's path is followed from the viewer: InnerTap.direction travels inside, n points outward
+//          where it leaves, ComposedTap.direction travels outside. All unit. Either side may be the denser one.
+// alpha    slope width of the exit, [0, 1]; sigma: radians. eta = n_outside / n_inside at the exit (> 0).
+// Returns  wideningGgx, wideningBeckmann: the rule's constants. seeExit: what the exit's tables are to be read at.
+//          composeTap: one tap outside; weight 0 where the tap does not meet the face. mergeTaps: two taps as one.
+//          exitTurn, sphereTurn: ExitSurface.turn of a face of known curvature.
+// Source   variances add through Snell's Jacobian where lobes are narrow [Walter07]; beyond that a fit (tests/composition).
+// Limits   single scattering, sigma is the geometric mean of the two axes, isotropic alpha, no twist of a curved exit.
+//          Worst for rough entry and nearly smooth exit within 5 degrees of the critical angle, where the truth is a lobe cut off
+//          at the horizon. Per tap 70 multiply-adds, 1 atan, 2 sin, 2 cos, 4 square roots; per first tap 20 more.
+#ifndef GG_REFRACTION_COMPOSITION_GLSL
+#define GG_REFRACTION_COMPOSITION_GLSL
+
+#include "bsdf/constants.glsl"
+
+// Where a ray leaves the solid.
+struct ExitSurface {
+  vec3 n;      // outward: dot(n, direction) > 0
+  float alpha; // slope width
+  float eta;   // n_outside / n_inside: below 1 for glass in air
+  vec2 turn;   // n's turn per radian of the inner direction, in the plane of incidence and across it; 0 for a flat face
+};
+
+// One Gaussian of the light inside.
+struct InnerTap {
+  vec3 direction;
+  float sigma;
+  float weight; // energy included
+};
+
+// One Gaussian of the light outside. At a distance D beyond the exit, after a path d inside, the light that is seen has the
+// variance D² sigma² + 2 D d inner carried + d² inner² (metres² per axis).
+struct ComposedTap {
+  vec3 direction;
+  float sigma;
+  float weight;  // energy included
+  float inner;   // sigma of the ray inside
+  float carried; // radians outside per sigma inside: the part of sigma that goes with it; below 0 where a curved exit crosses rays
+};
+
+// By how much a spread of rays widens the facets that an exit's tables are read at: alpha² + (k sigma)².
+struct Widening {
+  float shape;      // for directions and widths. The tables' own sigma per alpha and radian of facet tilt is about 1 / shape
+  float energyCore; // for the energy let through, first tap
+  float energyTail; // the other taps
+  float reflected;  // for the energy thrown back inside
+};
+
+// The exit as one inner tap sees it.
+struct ExitView {
+  float cosTheta;    // on the inner side; not above 0: the tap does not meet this face
+  float alphaShape;  // where the lobe is read
+  float alphaEnergy; // where what passes is read
+  float alphaReflected;
+  float own;   // the share of alphaShape² that is the face's own
+  float swing; // turn of the angle of incidence per radian of the inner direction
+};
+
+// Fitted to brute force for tables of that many taps.
+Widening wideningGgx(int taps) {
+  Widening k;
+  k.shape = taps > 1 ? 0.7 : 0.6;
+  k.energyCore = taps > 1 ? 1.0 : 0.95;
+  k.energyTail = 0.7;
+  k.reflected = 1.3;
+  return k;
+}
+
+// Beckmann's sigma is alpha / sqrt(2), GGX's core and tail together are wider: the same ray is worth more alpha.
+Widening wideningBeckmann(int taps) {
+  Widening k;
+  k.shape = taps > 1 ? 1.3 : 1.2;
+  k.energyCore = 1.4;
+  k.energyTail = 1.4;
+  k.reflected = 1.6;
+  return k;
+}
+
+// A curved exit, cosTheta and pathLength of the ray that reaches it: normal curvatures (1/m, positive where the solid is convex)
+// in the plane of incidence and across it. Towards grazing rays the spot on the surface grows without end, the turn stops at
+// four times the sphere's 2: there the face is no longer one surface of one curvature.
+vec2 exitTurn(float cosTheta, float pathLength, vec2 curvature) {
+  vec2 turn = vec2(pathLength * curvature.x / max(cosTheta, 1e-6), pathLength * curvature.y);
+  return clamp(turn, -8.0, 8.0);
+}
+
+// A solid sphere, where the path is 2 R cosTheta.
+vec2 sphereTurn(float cosTheta) { return vec2(2.0, 2.0 * cosTheta); }
+
+// The exit cannot tell a spread of rays from a spread of its facets: widened by the ray, its own table holds the edge of total
+// reflection, the bent mean and the width at which refraction saturates.
+ExitView seeExit(InnerTap inner, bool core, ExitSurface s, Widening k) {
+  ExitView v;
+  v.cosTheta = min(dot(inner.direction, s.n), 1.0);
+  v.swing = 1.0 - s.turn.x;
+  float alpha2 = s.alpha * s.alpha;
+  float spread = inner.sigma * v.swing; // of the angle of incidence
+  float spread2 = spread * spread;
+  float shape2 = alpha2 + k.shape * k.shape * spread2;
+  float energy = core ? k.energyCore : k.energyTail;
+  v.alphaShape = min(sqrt(shape2), 1.0);
+  v.alphaEnergy = min(sqrt(alpha2 + energy * energy * spread2), 1.0);
+  v.alphaReflected = min(sqrt(alpha2 + k.reflected * k.reflected * spread2), 1.0);
+  v.own = shape2 > 0.0 ? alpha2 / shape2 : 1.0;
+  return v;
+}
+
+// Below this distance of eta from 1 a face turns rays by less than float32 knows a facet's tilt from two directions (1e-7 of
+// rounding over 1e-4 of bending): it is not there.
+const float INDEX_MATCHED = 1e-4;
+
+// Rules for where derivatives grow without end. A lobe is never wider in plane than total reflection lets it be (the taps'
+// saturation, 0.3 rad); a facet is never seen closer to grazing than 0.2, where its lobe's far side is cut off.
+const float COMPOSED_WIDEST = 0.3;
+const float FACET_LEAST_COS = 0.2;
+// A focus on the exit itself: rays that meet there all have one angle of incidence, and none of them is half the spread.
+const float LEAST_SWING = 0.2;
+// Of the facet's tilt that the widened table attributes to rays; the other half is the tables' visible-normal bias.
+const float GIVEN_BACK = 0.5;
+
+// (angle, sigma, weight): a tap of the exit's table at (view.cosTheta, view.alphaShape, s.eta), angle from n towards the side
+// that the ray travels to. energy: what the exit lets through at (view.cosTheta, view.alphaEnergy, s.eta).
+//
+// With x1 the ray's deviation and x2 the facet's, u = x1 - x2 is all that the exit sees: out = phi(theta + u) + x2, where given
+// u, x1 takes the share 1 - own and x2 -own. On a curved face x1 also turns the frame that phi counts from.
+ComposedTap composeTap(InnerTap inner, ExitView view, ExitSurface s, float angle, float sigma, float weight,
+                       float energy) {
+  ComposedTap tap;
+  tap.direction = inner.direction;
+  tap.sigma = inner.sigma;
+  tap.inner = inner.sigma;
+  tap.carried = inner.sigma;
+  tap.weight = inner.weight * weight * energy;
+  if (!(view.cosTheta > 0.0)) tap.weight = 0.0;
+  float ratio = 1.0 / s.eta; // Snell: sin outside = ratio sin inside
+  if (!(view.cosTheta > 0.0) || abs(ratio - 1.0) < INDEX_MATCHED) return tap;
+
+  // In the plane of incidence: x along the face, y along n.
+  vec3 along = inner.direction - view.cosTheta * s.n;
+  float sinTheta = length(along);
+  vec3 t = along / max(sinTheta, 1e-12); // straight through: the zero vector, and the tables' angle is 0
+  vec2 d = vec2(sinTheta, view.cosTheta);
+  vec2 l = vec2(sin(angle), cos(angle));
+  vec2 h = (ratio * d - l) * (ratio < 1.0 ? -1.0 : 1.0); // the mean facet, on n's side
+  float bend = max(length(h), 0.5 * INDEX_MATCHED);      // |ratio ci - co|
+  float ci = dot(d, h) / bend;
+  float co = max(dot(l, h) / bend, FACET_LEAST_COS);
+
+  float swing = view.swing < 0.0 ? min(view.swing, -LEAST_SWING) : max(view.swing, LEAST_SWING);
+  float rays = 1.0 - view.own;
+  float turned = clamp(angle - GIVEN_BACK * rays / swing * atan(h.x, abs(h.y)), -0.5 * BSDF_PI, 0.5 * BSDF_PI);
+  tap.direction = normalize(sin(turned) * t + cos(turned) * s.n);
+
+  float kept = view.own - rays * s.turn.x / swing;
+  float seen = sigma * inversesqrt(co) * (ratio * ci - kept * co) / bend;
+  float across = ratio + (co - ratio * ci) * s.turn.y;
+  float sigma2 = inner.sigma * inner.sigma;
+  float inPlane = min(seen * seen + view.own * sigma2, COMPOSED_WIDEST * COMPOSED_WIDEST);
+  float outOfPlane = view.own * sigma * sigma * co + across * across * sigma2;
+  tap.sigma = sqrt(sqrt(inPlane * outOfPlane));
+  float carriedInPlane = (swing < 0.0 ? -sqrt(rays) : sqrt(rays)) * seen + view.own * inner.sigma;
+  tap.carried = clamp(0.5 * (carriedInPlane + across * inner.sigma), -tap.sigma, tap.sigma);
+  return tap;
+}
+
+// What the exit throws back meets the next face as wide as the ray was, and by twice the exit's own tilt wider. What is far out
+// is beyond the critical angle again: of the light that the next face would pass, this share gets there.
+const float LEAVES_NEXT = 0.65;
+float leavingNextAlpha(float innerSigma, float alpha, float nextAlpha) {
+  float spread = wideningGgx(1).reflected * innerSigma;
+  return min(sqrt(nextAlpha * nextAlpha + 3.0 * alpha * alpha + spread * spread), 1.0);
+}
+
+// Two taps as one of the same energy, mean and variance (per axis half of the squared distance between them).
+ComposedTap mergeTaps(ComposedTap a, ComposedTap b) {
+  float weight = a.weight + b.weight;
+  float share = weight > 0.0 ? b.weight / weight : 0.0;
+  vec3 apart = b.direction - a.direction;
+  vec3 mean = a.direction + share * apart;
+  float inner2 = mix(a.inner * a.inner, b.inner * b.inner, share);
+  float both = mix(a.inner * a.carried, b.inner * b.carried, share);
+  ComposedTap tap;
+  tap.weight = weight;
+  // Opposite taps of equal weight have no mean: the first's direction then.
+  tap.direction = dot(mean, mean) > 1e-6 ? normalize(mean) : a.direction;
+  tap.sigma = sqrt(mix(a.sigma * a.sigma, b.sigma * b.sigma, share) + 0.5 * share * (1.0 - share) * dot(apart, apart));
+  tap.inner = sqrt(inner2);
+  tap.carried = tap.inner > 0.0 ? both / tap.inner : 0.0;
+  return tap;
+}
+
+#endif

@@ -1,0 +1,77 @@
+// composition_fetch.glsl: reads the tables of one interface for composition.glsl.
+// Frame    as composition.glsl; wo points to the viewer, n is the entry's normal on wo's side. Samplers linear, clamped.
+// alpha    slope width in [0, 1]. eta = n_far / n_near of the face in question: glass 1.5 at the entry, 1 / 1.5 at the exit.
+// Returns  fetchInnerTap: what the entry makes of wo. fetchExitEnergy: what one inner tap's light passes the exit with.
+//          fetchComposedTap: one tap of the exit for one inner tap. fetchComposed, fetchComposedPair: the lobe outside as one
+//          tap, as two. fetchReflectedInside: the light thrown back, power. fetchLeavesNext: of that, what leaves at the next face.
+// Source   composition.glsl, interface_table.glsl.
+// Limits   those of both. Fetches (energy + taps): one tap 2 + 2; two taps 3 + 6, of which the entry's are 1 + 2.
+#ifndef GG_REFRACTION_COMPOSITION_FETCH_GLSL
+#define GG_REFRACTION_COMPOSITION_FETCH_GLSL
+
+#include "refraction/composition.glsl"
+#include "refraction/interface_table_fetch.glsl"
+
+// energy: fetchInterfaceEnergy(...).transmitted of the entry. An index-matched entry is not there: taps are what went in.
+InnerTap fetchInnerTap(sampler3D lobeTable, int tap, int taps, vec3 wo, vec3 n, float alpha, float eta, float energy) {
+  InnerTap inner;
+  InterfaceTap read = fetchInterfaceTap(lobeTable, tap, taps, dot(wo, n), alpha, eta);
+  bool matched = abs(eta - 1.0) < INDEX_MATCHED;
+  inner.direction = matched ? -wo : interfaceTapDirection(wo, n, read.angle);
+  inner.sigma = matched ? 0.0 : read.sigma;
+  inner.weight = read.weight * (matched ? 1.0 : energy);
+  return inner;
+}
+
+float fetchExitEnergy(sampler3D energyTable, ExitView view, ExitSurface s) {
+  if (abs(s.eta - 1.0) < INDEX_MATCHED) return 1.0;
+  return fetchInterfaceEnergy(energyTable, max(view.cosTheta, 0.0), view.alphaEnergy, s.eta).transmitted;
+}
+
+ComposedTap fetchComposedTap(sampler3D lobeTable, int tap, int taps, InnerTap inner, ExitView view, ExitSurface s,
+                             float energy) {
+  InterfaceTap read = fetchInterfaceTap(lobeTable, tap, taps, max(view.cosTheta, 0.0), view.alphaShape, s.eta);
+  return composeTap(inner, view, s, read.angle, read.sigma, read.weight, energy);
+}
+
+// With an entry of one tap.
+ComposedTap fetchComposed(sampler3D energyTable, sampler3D lobeTable, InnerTap inner, ExitSurface s, Widening k) {
+  ExitView view = seeExit(inner, true, s, k);
+  return fetchComposedTap(lobeTable, 0, 1, inner, view, s, fetchExitEnergy(energyTable, view, s));
+}
+
+struct ComposedPair {
+  ComposedTap core;
+  ComposedTap rest;
+};
+
+// Two first taps, each with the exit that it meets (the same one, for flat faces): core through core is kept, the other three
+// merge. (Four unmerged taps are no better: tests/composition.)
+ComposedPair fetchComposedPair(sampler3D energyTable, sampler3D lobeTable, InnerTap core, ExitSurface coreExit,
+                               InnerTap tail, ExitSurface tailExit, Widening k) {
+  ExitView coreView = seeExit(core, true, coreExit, k);
+  ExitView tailView = seeExit(tail, false, tailExit, k);
+  float coreEnergy = fetchExitEnergy(energyTable, coreView, coreExit);
+  float tailEnergy = fetchExitEnergy(energyTable, tailView, tailExit);
+  ComposedPair pair;
+  pair.core = fetchComposedTap(lobeTable, 0, 2, core, coreView, coreExit, coreEnergy);
+  pair.rest = mergeTaps(mergeTaps(fetchComposedTap(lobeTable, 1, 2, core, coreView, coreExit, coreEnergy),
+                                  fetchComposedTap(lobeTable, 0, 2, tail, tailView, tailExit, tailEnergy)),
+                        fetchComposedTap(lobeTable, 1, 2, tail, tailView, tailExit, tailEnergy));
+  return pair;
+}
+
+float fetchReflectedInside(sampler3D energyTable, InnerTap inner, ExitView view, ExitSurface s) {
+  if (!(view.cosTheta > 0.0) || abs(s.eta - 1.0) < INDEX_MATCHED) return 0.0;
+  return inner.weight * fetchInterfaceEnergy(energyTable, view.cosTheta, view.alphaReflected, s.eta).reflected;
+}
+
+// next: where the mean reflected ray leaves, at the angle cosTheta.
+float fetchLeavesNext(sampler3D energyTable, float reflected, InnerTap inner, ExitSurface s, float cosTheta,
+                      float nextAlpha, float nextEta) {
+  if (!(cosTheta > 0.0)) return 0.0;
+  float alpha = leavingNextAlpha(inner.sigma, s.alpha, nextAlpha);
+  return LEAVES_NEXT * reflected * fetchInterfaceEnergy(energyTable, cosTheta, alpha, nextEta).transmitted;
+}
+
+#endif
