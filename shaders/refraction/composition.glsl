@@ -2,32 +2,16 @@
 // Frame    any. Directions as light's path is followed from the viewer: InnerTap.direction travels inside, n points outward
 //          where it leaves, ComposedTap.direction travels outside. All unit. Either side may be the denser one.
 // alpha    slope width of the exit, [0, 1]; sigma: radians. eta = n_outside / n_inside at the exit (> 0).
-// Returns  wideningGgx, wideningBeckmann: the rule's constants. seeExit: what the exit's tables are to be read at.
-//          composeTap: one tap outside; weight 0 where the tap does not meet the face. mergeTaps: two taps as one.
-//          exitTurn, sphereTurn: ExitSurface.turn of a face of known curvature.
+// Returns  composeTap: one tap outside; weight 0 where the tap does not meet the face. mergeTaps: two taps as one.
 // Source   variances add through Snell's Jacobian where lobes are narrow [Walter07]; beyond that a fit (tests/composition).
 // Limits   single scattering, sigma is the geometric mean of the two axes, isotropic alpha, no twist of a curved exit.
 //          Worst for rough entry and nearly smooth exit within 5 degrees of the critical angle, where the truth is a lobe cut off
-//          at the horizon. Per tap 70 multiply-adds, 1 atan, 2 sin, 2 cos, 4 square roots; per first tap 20 more.
+//          at the horizon. Per tap 70 multiply-adds, 1 atan, 2 sin, 2 cos, 4 square roots.
 #ifndef GG_REFRACTION_COMPOSITION_GLSL
 #define GG_REFRACTION_COMPOSITION_GLSL
 
 #include "bsdf/constants.glsl"
-
-// Where a ray leaves the solid.
-struct ExitSurface {
-  vec3 n;      // outward: dot(n, direction) > 0
-  float alpha; // slope width
-  float eta;   // n_outside / n_inside: below 1 for glass in air
-  vec2 turn;   // n's turn per radian of the inner direction, in the plane of incidence and across it; 0 for a flat face
-};
-
-// One Gaussian of the light inside.
-struct InnerTap {
-  vec3 direction;
-  float sigma;
-  float weight; // energy included
-};
+#include "refraction/composition_view.glsl"
 
 // One Gaussian of the light outside. At a distance D beyond the exit, after a path d inside, the light that is seen has the
 // variance D² sigma² + 2 D d inner carried + d² inner² (metres² per axis).
@@ -38,73 +22,6 @@ struct ComposedTap {
   float inner;   // sigma of the ray inside
   float carried; // radians outside per sigma inside: the part of sigma that goes with it; below 0 where a curved exit crosses rays
 };
-
-// By how much a spread of rays widens the facets that an exit's tables are read at: alpha² + (k sigma)².
-struct Widening {
-  float shape;      // for directions and widths. The tables' own sigma per alpha and radian of facet tilt is about 1 / shape
-  float energyCore; // for the energy let through, first tap
-  float energyTail; // the other taps
-  float reflected;  // for the energy thrown back inside
-};
-
-// The exit as one inner tap sees it.
-struct ExitView {
-  float cosTheta;    // on the inner side; not above 0: the tap does not meet this face
-  float alphaShape;  // where the lobe is read
-  float alphaEnergy; // where what passes is read
-  float alphaReflected;
-  float own;   // the share of alphaShape² that is the face's own
-  float swing; // turn of the angle of incidence per radian of the inner direction
-};
-
-// Fitted to brute force for tables of that many taps.
-Widening wideningGgx(int taps) {
-  Widening k;
-  k.shape = taps > 1 ? 0.7 : 0.6;
-  k.energyCore = taps > 1 ? 1.0 : 0.95;
-  k.energyTail = 0.7;
-  k.reflected = 1.3;
-  return k;
-}
-
-// Beckmann's sigma is alpha / sqrt(2), GGX's core and tail together are wider: the same ray is worth more alpha.
-Widening wideningBeckmann(int taps) {
-  Widening k;
-  k.shape = taps > 1 ? 1.3 : 1.2;
-  k.energyCore = 1.4;
-  k.energyTail = 1.4;
-  k.reflected = 1.6;
-  return k;
-}
-
-// A curved exit, cosTheta and pathLength of the ray that reaches it: normal curvatures (1/m, positive where the solid is convex)
-// in the plane of incidence and across it. Towards grazing rays the spot on the surface grows without end, the turn stops at
-// four times the sphere's 2: there the face is no longer one surface of one curvature.
-vec2 exitTurn(float cosTheta, float pathLength, vec2 curvature) {
-  vec2 turn = vec2(pathLength * curvature.x / max(cosTheta, 1e-6), pathLength * curvature.y);
-  return clamp(turn, -8.0, 8.0);
-}
-
-// A solid sphere, where the path is 2 R cosTheta.
-vec2 sphereTurn(float cosTheta) { return vec2(2.0, 2.0 * cosTheta); }
-
-// The exit cannot tell a spread of rays from a spread of its facets: widened by the ray, its own table holds the edge of total
-// reflection, the bent mean and the width at which refraction saturates.
-ExitView seeExit(InnerTap inner, bool core, ExitSurface s, Widening k) {
-  ExitView v;
-  v.cosTheta = min(dot(inner.direction, s.n), 1.0);
-  v.swing = 1.0 - s.turn.x;
-  float alpha2 = s.alpha * s.alpha;
-  float spread = inner.sigma * v.swing; // of the angle of incidence
-  float spread2 = spread * spread;
-  float shape2 = alpha2 + k.shape * k.shape * spread2;
-  float energy = core ? k.energyCore : k.energyTail;
-  v.alphaShape = min(sqrt(shape2), 1.0);
-  v.alphaEnergy = min(sqrt(alpha2 + energy * energy * spread2), 1.0);
-  v.alphaReflected = min(sqrt(alpha2 + k.reflected * k.reflected * spread2), 1.0);
-  v.own = shape2 > 0.0 ? alpha2 / shape2 : 1.0;
-  return v;
-}
 
 // Below this distance of eta from 1 a face turns rays by less than float32 knows a facet's tilt from two directions (1e-7 of
 // rounding over 1e-4 of bending): it is not there.
@@ -162,14 +79,6 @@ ComposedTap composeTap(InnerTap inner, ExitView view, ExitSurface s, float angle
   float carriedInPlane = (swing < 0.0 ? -sqrt(rays) : sqrt(rays)) * seen + view.own * inner.sigma;
   tap.carried = clamp(0.5 * (carriedInPlane + across * inner.sigma), -tap.sigma, tap.sigma);
   return tap;
-}
-
-// What the exit throws back meets the next face as wide as the ray was, and by twice the exit's own tilt wider. What is far out
-// is beyond the critical angle again: of the light that the next face would pass, this share gets there.
-const float LEAVES_NEXT = 0.65;
-float leavingNextAlpha(float innerSigma, float alpha, float nextAlpha) {
-  float spread = wideningGgx(1).reflected * innerSigma;
-  return min(sqrt(nextAlpha * nextAlpha + 3.0 * alpha * alpha + spread * spread), 1.0);
 }
 
 // Two taps as one of the same energy, mean and variance (per axis half of the squared distance between them).
