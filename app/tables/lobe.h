@@ -1,5 +1,6 @@
-// The exact single-scattering reflection lobe of a rough surface that reflects everything (F = 1), as weighted
-// directions: what the tables are integrals of and what their Gaussians are fitted to.
+// The exact single-scattering lobes of a rough surface as weighted directions: what the tables are integrals of and what
+// their Gaussians are fitted to. Reflection is that of a surface that reflects everything (F = 1); transmission has its
+// Fresnel factor.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -31,8 +32,9 @@ std::string name(const Model& model); // "ggx-separable"
 struct LobeSample {
   glm::dvec3 wi;
   double cos_facet = 0.0; // wo . wm, at which Fresnel's reflectance is taken
-  double weight = 0.0;    // its share of the integral of f_r cos: sums to the albedo for F = 1
-  double density = 0.0;   // samples per steradian about wi
+  double weight =
+      0.0; // its share of the integral of f cos: sums to the albedo (reflection for F = 1)
+  double density = 0.0; // samples per steradian about wi
 };
 
 // How the unit square that microfacet normals are drawn from is walked.
@@ -46,5 +48,27 @@ enum class Walk {
 // so the error falls with the square of the spacing.
 std::vector<LobeSample> reflection_lobe(const Model& model, double alpha, double cos_theta,
                                         Walk walk, int count);
+
+// The transmitted lobe through an interface of index eta = n_far / n_near (not 1), wo on the near side: wi.z < 0, weights
+// sum to the share of the power that goes through (no 1 / eta²). At least `count` points are drawn, more (up to 32 times
+// as many) where few of them get through; there may still be none, past the critical angle of nearly smooth glass. Points
+// crowd towards facets that lean far.
+std::vector<LobeSample> transmission_lobe(const Model& model, double alpha, double cos_theta,
+                                          double eta, int count);
+
+// Shares of the power that single scattering sends through the interface and back.
+struct InterfaceShares {
+  double transmitted = 0.0, reflected = 0.0;
+};
+// `count` squared points on half of the azimuths; 64 are good to 5e-4 (tests/tables).
+InterfaceShares interface_shares(const Model& model, double alpha, double cos_theta, double eta,
+                                 int count);
+
+// Where a lobe lies in the plane of incidence, and how wide it is: the weighted median of atan2(-x, |z|), 0 along the
+// normal, and the weighted median of the angle between a sample and that direction. Both are 0 for an empty lobe.
+struct LobeShape {
+  double angle = 0.0, width = 0.0;
+};
+LobeShape shape_of(const std::vector<LobeSample>& lobe);
 
 } // namespace gg::tables

@@ -1,0 +1,102 @@
+#include "tables/grid_fit.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+namespace gg::tables {
+namespace {
+
+// After these the taps of neighbours are where they will stay.
+constexpr int sweeps = 2;
+
+TapSet to_table(const TapSet& set, const GridCell& cell) {
+  TapSet result = set;
+  for (Gaussian& g : result) {
+    g.angle = (g.angle - cell.centre) / cell.unit;
+    g.sigma /= cell.unit;
+  }
+  return result;
+}
+
+TapSet from_table(const TapSet& set, const GridCell& cell) {
+  TapSet result = set;
+  for (Gaussian& g : result) {
+    g.angle = cell.centre + g.angle * cell.unit;
+    g.sigma *= cell.unit;
+  }
+  return result;
+}
+
+// The mean of the neighbours that are not empty, in table units.
+TapSet mean_of_neighbours(const Grid& grid, const std::vector<TapSet>& fitted, int x, int y,
+                          int z) {
+  TapSet mean(fitted[grid.index(x, y, z)].size(), {0.0, 0.0, 0.0});
+  int count = 0;
+  const auto add = [&](int i, int j, int k) {
+    if (i < 0 || j < 0 || k < 0 || i >= grid.nx || j >= grid.ny || k >= grid.nz) return;
+    if (grid.cells[grid.index(i, j, k)].empty) return;
+    const TapSet& other = fitted[grid.index(i, j, k)];
+    for (std::size_t t = 0; t < mean.size(); ++t) {
+      mean[t].angle += other[t].angle;
+      mean[t].sigma += std::log(other[t].sigma);
+      mean[t].weight += other[t].weight;
+    }
+    ++count;
+  };
+  for (int d : {-1, 1}) {
+    add(x + d, y, z);
+    add(x, y + d, z);
+    add(x, y, z + d);
+  }
+  if (count == 0) return {};
+  for (Gaussian& g : mean)
+    g = {g.angle / count, std::exp(g.sigma / count), g.weight / count};
+  return mean;
+}
+
+} // namespace
+
+int grid_steps(const Grid& grid) {
+  return (1 + sweeps) * grid.ny;
+}
+
+std::vector<TapSet> fit_grid(const FitViews& views, const Grid& grid, int taps,
+                             const std::function<void()>& step) {
+  std::vector<TapSet> fitted(grid.cells.size(), TapSet(static_cast<std::size_t>(taps)));
+  const auto over_all = [&](auto&& work) {
+    for (int y = 0; y < grid.ny; ++y) {
+      tbb::parallel_for(0, grid.nx * grid.nz, [&](int i) {
+        const int x = i % grid.nx, z = i / grid.nx;
+        if (!grid.cells[grid.index(x, y, z)].empty) work(x, y, z);
+      });
+      step();
+    }
+  };
+  over_all([&](int x, int y, int z) {
+    const GridCell& cell = grid.cells[grid.index(x, y, z)];
+    fitted[grid.index(x, y, z)] = to_table(fit_from_scratch(views, cell.target, taps).taps, cell);
+  });
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    std::vector<TapSet> next = fitted;
+    over_all([&](int x, int y, int z) {
+      const GridCell& cell = grid.cells[grid.index(x, y, z)];
+      const TapSet mean = mean_of_neighbours(grid, fitted, x, y, z);
+      if (mean.empty()) return;
+      const TapSet home = from_table(mean, cell);
+      const FitResult own =
+          fit(views, cell.target, from_table(fitted[grid.index(x, y, z)], cell), home);
+      const FitResult theirs = fit(views, cell.target, home, home);
+      next[grid.index(x, y, z)] = to_table(theirs.cost <= own.cost ? theirs.taps : own.taps, cell);
+    });
+    fitted = std::move(next);
+  }
+  for (int y = grid.ny - 2; y >= 0; --y)
+    for (int z = 0; z < grid.nz; ++z)
+      for (int x = 0; x < grid.nx; ++x)
+        if (grid.cells[grid.index(x, y, z)].empty)
+          fitted[grid.index(x, y, z)] = fitted[grid.index(x, y + 1, z)];
+  return fitted;
+}
+
+} // namespace gg::tables

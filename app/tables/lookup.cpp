@@ -1,0 +1,69 @@
+#include "tables/lookup.h"
+
+#include "core/files.h"
+
+#include <map>
+#include <mutex>
+
+namespace gg::tables {
+namespace {
+
+namespace f64 = gg::glsl::f64;
+
+// Tables by a number, read when first asked for and kept.
+template <typename Table, typename Read>
+const Table& kept(int key, const Read& read) {
+  static std::mutex mutex;
+  static std::map<int, Table> tables;
+  const std::lock_guard lock(mutex);
+  auto found = tables.find(key);
+  if (found == tables.end())
+    found = tables.emplace(key, read(home_directory() / "assets" / "tables")).first;
+  return found->second;
+}
+
+int number_of(const Model& model) {
+  return static_cast<int>(model.distribution) * 2 + static_cast<int>(model.smith);
+}
+
+} // namespace
+
+f64::InterfaceEnergy energy_from(const InterfaceEnergyTable& table, double cos_theta, double alpha,
+                                 double eta) {
+  const f64::vec3 u = f64::interfaceEnergyCoordinate(cos_theta, alpha, eta);
+  const auto t = lookup<3>(
+      table.texels,
+      {f64::INTERFACE_ENERGY_COSINES, f64::INTERFACE_ENERGY_ALPHAS, 2 * f64::INTERFACE_SLICES},
+      {u.x, u.y, u.z});
+  return f64::interfaceEnergy(f64::vec4(t[0], t[1], t[2], t[3]));
+}
+
+f64::InterfaceTap tap_from(const InterfaceLobeTable& table, int tap, double cos_theta, double alpha,
+                           double eta) {
+  const f64::vec3 u = f64::interfaceLobeCoordinate(tap, table.taps, cos_theta, alpha, eta);
+  const auto t = lookup<3>(table.texels,
+                           {f64::INTERFACE_LOBE_COSINES, f64::INTERFACE_LOBE_ALPHAS * table.taps,
+                            2 * f64::INTERFACE_SLICES},
+                           {u.x, u.y, u.z});
+  return f64::interfaceTap(f64::vec4(t[0], t[1], t[2], t[3]), cos_theta, alpha, eta);
+}
+
+f64::InterfaceEnergy interface_energy_at(const Model& model, double cos_theta, double alpha,
+                                         double eta) {
+  const auto& table =
+      kept<InterfaceEnergyTable>(number_of(model), [&](const std::filesystem::path& directory) {
+        return read_interface_energy(directory, model);
+      });
+  return energy_from(table, cos_theta, alpha, eta);
+}
+
+f64::InterfaceTap interface_tap_at(const Model& model, int tap, int taps, double cos_theta,
+                                   double alpha, double eta) {
+  const auto& table = kept<InterfaceLobeTable>(
+      8 * taps + number_of(model), [&](const std::filesystem::path& directory) {
+        return read_interface_lobes(directory, model, taps);
+      });
+  return tap_from(table, tap, cos_theta, alpha, eta);
+}
+
+} // namespace gg::tables
