@@ -41,13 +41,15 @@ TableLayout energy_layout() {
 }
 
 TableLayout lobe_layout(int taps) {
-  return {"interface-lobes" + std::to_string(taps) + "-",
-          glsl::INTERFACE_LOBE_COSINES,
-          glsl::INTERFACE_LOBE_ALPHAS * taps * 2 * glsl::INTERFACE_SLICES,
-          {"offset", "width", "weight"},
-          std::string(axes_text) + "; every slice holds the taps below each other, narrowest first",
-          -64.0f,
-          64.0f};
+  return {
+      "interface-lobes" + std::to_string(taps) + "-",
+      glsl::INTERFACE_LOBE_COSINES,
+      glsl::INTERFACE_LOBE_ALPHAS * taps * 2 * glsl::INTERFACE_SLICES,
+      {"offset", "width", "weight"},
+      std::string(axes_text) + "; every slice holds the taps below each other, narrowest first",
+      // Nearly smooth glass past the critical angle: what little gets through is many widths from Snell's direction.
+      -512.0f,
+      512.0f};
 }
 
 } // namespace
