@@ -102,7 +102,7 @@ std::string essl_prelude() {
   std::string text = "#version 300 es\n";
   for (const char* type :
        {"float", "int", "sampler2D", "sampler3D", "samplerCube", "sampler2DArray",
-        "sampler2DShadow", "samplerCubeShadow", "sampler2DArrayShadow"})
+        "sampler2DShadow", "samplerCubeShadow", "sampler2DArrayShadow", "usampler2DArray"})
     text += std::string("precision highp ") + type + ";\n";
   return text;
 }

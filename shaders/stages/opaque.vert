@@ -20,6 +20,8 @@ layout(location = 3) out vec4 outColor;
 layout(location = 4) out vec4 outUv01;
 layout(location = 5) out vec4 outUv23;
 
+invariant gl_Position; // passes that draw the same draw compare depths to the bit (interior.frag)
+
 // MikkTSpace's basis is unit at the corners: a scaled instance must not flatten or steepen its normal map.
 vec3 unitOrZero(vec3 v) {
     float s = dot(v, v);

@@ -1,0 +1,80 @@
+// interior_fetch.glsl: reads interior layers (stages/interior.frag): the surfaces of a solid, one behind the other.
+// Frame    that of exit_surface.glsl. Slices of the array: F1 nearest front face, B1 nearest back face, F2 and B2 the pair
+//          behind. A texel: x bits of the depth, 0 where there is nothing; y outward normal (octEncode, packSnorm2x16);
+//          z alpha (packHalf2x16); w the number of its solid (stages/object.glsl), from 1.
+// alpha    width of D at the surface, in [0, 1].
+// Returns  interiorDepths: of F1 B1 F2 B2; 0 where there is nothing of this solid.
+//          interiorThickness: metres from the solid's front to its back at a texel; 0 where there is no back face.
+//          interiorSurface: point and outward normal that a texel holds.
+//          interiorMeeting: of the surfaces at a texel that the ray can meet from inside, the one whose plane it meets nearest
+//          to t; its t is -1 if there is none.
+// Source   exit_search.glsl.
+// Limits   texels must lie in the picture. pairs: 1 reads F1 and B1 only.
+#ifndef GG_REFRACTION_INTERIOR_FETCH_GLSL
+#define GG_REFRACTION_INTERIOR_FETCH_GLSL
+
+#include "refraction/exit_search.glsl"
+
+const int INTERIOR_F1 = 0;
+const int INTERIOR_B1 = 1;
+
+float interiorDepth(usampler2DArray interior, ivec2 at, int layer, float solid) {
+  uvec4 bits = texelFetch(interior, ivec3(at, layer), 0);
+  return float(bits.w) == solid ? uintBitsToFloat(bits.x) : 0.0;
+}
+
+vec4 interiorDepths(usampler2DArray interior, int pairs, ivec2 at, float solid) {
+  vec4 depths = vec4(0.0);
+  depths.x = interiorDepth(interior, at, INTERIOR_F1, solid);
+  depths.y = interiorDepth(interior, at, INTERIOR_B1, solid);
+  if (pairs < 2) return depths;
+  depths.z = interiorDepth(interior, at, INTERIOR_F1 + 2, solid);
+  depths.w = interiorDepth(interior, at, INTERIOR_B1 + 2, solid);
+  return depths;
+}
+
+float interiorThickness(usampler2DArray interior, InteriorView view, ivec2 at, float solid) {
+  float front = interiorDepth(interior, at, INTERIOR_F1, solid);
+  float back = interiorDepth(interior, at, INTERIOR_B1, solid);
+  // Without a front face before it the way to the back face starts at the near plane.
+  if (front < back) front = 1.0;
+  vec2 centre = vec2(at) + 0.5;
+  return back > 0.0 ? distance(interiorWorld(view, centre, front), interiorWorld(view, centre, back)) : 0.0;
+}
+
+struct InteriorSurface {
+  vec3 point;
+  vec3 n;
+};
+
+InteriorSurface interiorSurface(InteriorView view, uvec4 bits, ivec2 at) {
+  InteriorSurface s;
+  s.point = interiorWorld(view, vec2(at) + 0.5, uintBitsToFloat(bits.x));
+  s.n = octDecode(unpackSnorm2x16(bits.y));
+  return s;
+}
+
+struct InteriorMeeting {
+  float t;
+  int layer;
+};
+
+InteriorMeeting interiorMeeting(usampler2DArray interior, int pairs, InteriorView view, ivec2 at, float solid, vec3 origin,
+                                vec3 direction, float t) {
+  InteriorMeeting best;
+  best.t = -1.0;
+  best.layer = INTERIOR_B1;
+  for (int layer = 0; layer < 2 * pairs; ++layer) {
+    uvec4 bits = texelFetch(interior, ivec3(at, layer), 0);
+    InteriorSurface s = interiorSurface(view, bits, at);
+    float own = exitPlane(origin, direction, s.point, s.n);
+    bool possible = float(bits.w) == solid && dot(direction, s.n) > 0.0 && own > 0.0;
+    if (possible && (best.t < 0.0 || abs(own - t) < abs(best.t - t))) {
+      best.t = own;
+      best.layer = layer;
+    }
+  }
+  return best;
+}
+
+#endif
