@@ -1,0 +1,176 @@
+#include "composition/methods.h"
+
+#include "core/files.h"
+#include "tables/lookup.h"
+#include "tables/reflection_table.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gg::composition_test {
+namespace {
+
+using f64::ComposedTap;
+using f64::ExitSurface;
+using f64::ExitView;
+using f64::InnerTap;
+using f64::Widening;
+using glm::dvec3;
+
+const dvec3 up(0, 0, 1);
+
+InnerTap inner_tap(const Configuration& c, int tap, int taps) {
+  const dvec3 wo = c.wo();
+  const double energy = tables::interface_energy_at(c.model, wo.z, c.alpha1, c.eta).transmitted;
+  const auto read = tables::interface_tap_at(c.model, tap, taps, wo.z, c.alpha1, c.eta);
+  return {f64::interfaceTapDirection(wo, up, read.angle), read.sigma, read.weight * energy};
+}
+
+ExitSurface exit_of(const Configuration& c, const dvec3& direction, bool curved = true) {
+  const Exit exit = c.solid.exit(direction);
+  return {exit.n, c.alpha2, 1.0 / c.eta, curved ? exit.turn : glm::dvec2(0.0)};
+}
+
+double passed(const Configuration& c, const ExitView& view, const ExitSurface& s) {
+  return tables::interface_energy_at(c.model, std::max(view.cosTheta, 0.0), view.alphaEnergy, s.eta)
+      .transmitted;
+}
+
+Lookup lookup_of(const ComposedTap& tap) {
+  return {tap.direction, tap.sigma, tap.weight};
+}
+
+// Snell's law at the face with outward normal n; where that is total reflection, along the face.
+dvec3 snell(const dvec3& d, const dvec3& n, double ratio) {
+  const double cosine = dot(d, n);
+  const dvec3 across = ratio * (d - cosine * n);
+  const double rest = 1.0 - dot(across, across);
+  return rest > 0.0 ? across + std::sqrt(rest) * n : normalize(across);
+}
+
+// Sigma of the reflection lobe at normal incidence, what environment maps are blurred by for a given roughness.
+double mirror_width(const tables::Model& model, double alpha) {
+  static const tables::ReflectionTable table =
+      tables::read(home_directory() / "assets" / "tables", tables::models[0]);
+  static const tables::ReflectionTable beckmann =
+      tables::read(home_directory() / "assets" / "tables", tables::models[2]);
+  const bool ggx = model.distribution == tables::Distribution::ggx;
+  const auto u = f64::lobeCoordinate(1.0, alpha, 0.0);
+  return tables::lookup<3>((ggx ? table : beckmann).lobe,
+                           {f64::LOBE_TABLE_SIZE, f64::LOBE_TABLE_SIZE, f64::LOBE_TABLE_SLICES},
+                           {u.x, u.y, u.z})[1]
+         * alpha;
+}
+
+} // namespace
+
+Widening widening(const tables::Model& model, int taps) {
+  return model.distribution == tables::Distribution::beckmann ? f64::wideningBeckmann(taps)
+                                                              : f64::wideningGgx(taps);
+}
+
+std::vector<Lookup> composed(const Configuration& c, const Shape& shape,
+                             const std::optional<Widening>& constants, bool curved) {
+  const Widening k = constants ? *constants : widening(c.model, shape.first);
+  std::vector<ComposedTap> taps;
+  for (int i = 0; i < shape.first; ++i) {
+    const InnerTap inner = inner_tap(c, i, shape.first);
+    const ExitSurface s = exit_of(c, inner.direction, curved);
+    const ExitView view = f64::seeExit(inner, i == 0, s, k);
+    const double energy = passed(c, view, s);
+    for (int j = 0; j < shape.second; ++j) {
+      const auto read = tables::interface_tap_at(
+          c.model, j, shape.second, std::max(view.cosTheta, 0.0), view.alphaShape, s.eta);
+      taps.push_back(f64::composeTap(inner, view, s, read.angle, read.sigma, read.weight, energy));
+    }
+  }
+  if (shape.kept > 0)
+    while (static_cast<int>(taps.size()) > shape.kept) {
+      const ComposedTap last = taps.back();
+      taps.pop_back();
+      taps.back() = f64::mergeTaps(taps.back(), last);
+    }
+  std::vector<Lookup> result;
+  for (const ComposedTap& tap : taps)
+    result.push_back(lookup_of(tap));
+  return result;
+}
+
+double reflected_inside(const Configuration& c) {
+  double sum = 0.0;
+  for (int i = 0; i < 2; ++i) {
+    const InnerTap inner = inner_tap(c, i, 2);
+    const ExitSurface s = exit_of(c, inner.direction);
+    const ExitView view = f64::seeExit(inner, i == 0, s, widening(c.model, 2));
+    if (view.cosTheta > 0.0)
+      sum += inner.weight
+             * tables::interface_energy_at(c.model, view.cosTheta, view.alphaReflected, s.eta)
+                   .reflected;
+  }
+  return sum;
+}
+
+std::vector<Lookup> standard_practice(const Configuration& c, bool leaves) {
+  const dvec3 wo = c.wo(), inside = f64::refractAbout(wo, up, c.eta);
+  const double roughness = std::sqrt(c.alpha1) * std::clamp(2.0 * c.eta - 2.0, 0.0, 1.0);
+  const double alpha = roughness * roughness;
+  Lookup tap;
+  tap.direction = leaves ? snell(inside, exit_of(c, inside).n, c.eta) : inside;
+  tap.sigma = mirror_width(c.model, alpha);
+  tap.weight = f64::fresnelTransmittedAt(wo.z, c.eta);
+  return {tap};
+}
+
+std::vector<Lookup> added_variances(const Configuration& c, int taps, bool widened) {
+  const Widening k = widening(c.model, taps);
+  std::vector<ComposedTap> sums;
+  for (int i = 0; i < taps; ++i) {
+    const InnerTap inner = inner_tap(c, i, taps);
+    ExitSurface s = exit_of(c, inner.direction);
+    ExitView view = f64::seeExit(inner, i == 0, s, k);
+    if (!(view.cosTheta > 0.0)) continue;
+    const double energy = tables::interface_energy_at(c.model, view.cosTheta,
+                                                      widened ? view.alphaEnergy : s.alpha, s.eta)
+                              .transmitted;
+    const dvec3 along = inner.direction - view.cosTheta * s.n;
+    const double sine = std::sqrt(dot(along, along));
+    const dvec3 t = along / std::max(sine, 1e-12);
+    for (int j = 0; j < taps; ++j) {
+      const auto read = tables::interface_tap_at(c.model, j, taps, view.cosTheta, s.alpha, s.eta);
+      // Beyond the critical angle the derivative has no end: it stops where the light outside is 0.1 above the face.
+      const double cos_out = std::max(std::cos(read.angle), 0.1);
+      const double in_plane = c.eta * view.cosTheta / cos_out * (1.0 - s.turn.x) + s.turn.x,
+                   across = c.eta + (cos_out - c.eta * view.cosTheta) * s.turn.y;
+      const double own = read.sigma * read.sigma, rays = inner.sigma * inner.sigma;
+      ComposedTap tap;
+      tap.direction = std::sin(read.angle) * t + std::cos(read.angle) * s.n;
+      tap.sigma =
+          std::sqrt(std::sqrt((own + in_plane * in_plane * rays) * (own + across * across * rays)));
+      tap.weight = inner.weight * read.weight * energy;
+      tap.inner = tap.carried = 0.0;
+      sums.push_back(tap);
+    }
+  }
+  while (static_cast<int>(sums.size()) > taps) {
+    const ComposedTap last = sums.back();
+    sums.pop_back();
+    sums.back() = f64::mergeTaps(sums.back(), last);
+  }
+  std::vector<Lookup> result;
+  for (const ComposedTap& tap : sums)
+    result.push_back(lookup_of(tap));
+  if (result.empty())
+    result.push_back({c.solid.exit(f64::refractAbout(c.wo(), up, c.eta)).n, 0.5, 0.0});
+  return result;
+}
+
+std::vector<Lookup> scaled(std::vector<Lookup> taps, double energy) {
+  const double factor = energy / std::max(energy_of(taps), 1e-6);
+  for (Lookup& tap : taps)
+    tap.weight *= factor;
+  return taps;
+}
+
+} // namespace gg::composition_test
