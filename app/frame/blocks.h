@@ -13,12 +13,13 @@ using glm::vec4;
 
 #include "../../shaders/interface/frame.glsl"
 #include "../../shaders/interface/instance.glsl"
+#include "../../shaders/interface/layer.glsl"
 #include "../../shaders/interface/lights.glsl"
 #include "../../shaders/interface/material.glsl"
 
 // std140 and std430 place these types at multiples of 16 bytes with no holes, which is what C++
 // does too.
-static_assert(offsetof(FrameData, eye) == 128 && sizeof(FrameData) == 208);
+static_assert(offsetof(FrameData, eye) == 128 && sizeof(FrameData) == 256);
 static_assert(offsetof(InstanceData, normalFromMesh) == 64 && sizeof(InstanceData) == 128);
 static_assert(offsetof(LightData, cone) == 48 && sizeof(LightData) == 64);
 static_assert(offsetof(MaterialData, baseColorRow0) == 128 && sizeof(MaterialData) == 416);

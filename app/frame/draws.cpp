@@ -123,7 +123,8 @@ Draws::Draws(gpu::Device& device, const UploadedScene& uploaded, const tables::D
     }
   }
   for (const tables::ModelTables& model : tables.of_model)
-    for (const gpu::TextureRef& table : {model.energy, model.lobe})
+    for (const gpu::TextureRef& table :
+         {model.energy, model.lobe, model.interface_energy, model.interface_lobes})
       if (table) sampled_.push_back(gpu::whole(table));
 }
 
@@ -188,6 +189,10 @@ void Draws::record(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline, cons
   if (tables.energy) {
     encoder.texture("energyTable", gpu::whole(tables.energy), tables_.sampler);
     encoder.texture("lobeTable", gpu::whole(tables.lobe), tables_.sampler);
+  }
+  if (tables.interface_energy) {
+    encoder.texture("interfaceEnergyTable", gpu::whole(tables.interface_energy), tables_.sampler);
+    encoder.texture("interfaceLobeTable", gpu::whole(tables.interface_lobes), tables_.sampler);
   }
   for (const Draw::Map& map : draw.maps)
     encoder.texture(map.name, map.texture.view, map.texture.sampler);

@@ -19,6 +19,11 @@ enum class Method : int {
   lobes3 = 3,
   lobes4 = 4
 };
+// Taps that a method's tables have: 0 for those that read none.
+constexpr int taps_of(Method method) {
+  const int number = static_cast<int>(method);
+  return number >= 1 && number <= 4 ? number : 0;
+}
 // Importance sampling with N directions, each reading the level of its own solid angle.
 inline constexpr int first_fis = 100;
 constexpr Method fis(int n) {

@@ -15,6 +15,20 @@ namespace {
 constexpr gpu::Format color_format = gpu::Format::rgba32f;
 constexpr gpu::Format depth_format = gpu::Format::depth32f;
 
+// Glass behind glass behind glass...: each layer takes a pyramid of its own. Past so many, surfaces
+// share the last one: they hide each other but do not show each other.
+constexpr std::size_t most_layers = 8;
+
+// Front and back faces that the search for a ray's exit sees behind each other.
+constexpr int interior_pairs = 2;
+
+// The search for the exit follows rays in layers of the solid's faces. What bends nothing needs to
+// know how thick it is if it absorbs; peers' method takes the material's word for it.
+bool has_interior(const Draw& draw) {
+  const scene::Material& m = *draw.material;
+  return draw.role == Role::refractive && m.thickness > 0.0f;
+}
+
 } // namespace
 
 Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDesc& desc)
@@ -24,17 +38,24 @@ Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDe
           gpu::SamplerDesc{.magnify = gpu::Filter::nearest, .minify = gpu::Filter::nearest})) {
   make_targets();
   make_frame_blocks();
+  make_layers();
   make_passes();
 }
 
 Renderer::~Renderer() = default;
 
 tables::DeviceTables Renderer::wanted_tables() const {
-  std::vector<tables::Model> wanted;
-  if (desc_.environment.stack)
-    for (const scene::Material& material : uploaded_.scene().materials)
-      if (!material.unlit) wanted.push_back(model_of(material, desc_.correlated_smith));
-  return tables::upload(device_, wanted);
+  std::vector<tables::Model> wanted, transmitting;
+  for (const scene::Material& material : uploaded_.scene().materials) {
+    if (material.unlit) continue;
+    if (desc_.environment.stack) wanted.push_back(model_of(material, desc_.correlated_smith));
+    if (is_refractive(material) && material.ior != 1.0f && taps_of(desc_.method) > 0)
+      transmitting.push_back(model_of(material, desc_.correlated_smith));
+  }
+  tables::DeviceTables tables = tables::upload(device_, wanted);
+  // What is composed of two interfaces needs two taps of each at most (refraction/composition_fetch.glsl).
+  tables::upload_interfaces(device_, tables, transmitting, std::min(taps_of(desc_.method), 2));
+  return tables;
 }
 
 FrameFeatures Renderer::features() const {
@@ -54,7 +75,7 @@ void Renderer::make_targets() {
                                            .use = gpu::Use::attachment | use});
   };
   color_ = target("scene color", color_format, gpu::Use::sampled | gpu::Use::read_back);
-  depth_ = target("scene depth", depth_format, gpu::Use::attachment);
+  depth_ = target("scene depth", depth_format, gpu::Use::sampled);
   if (desc_.samples > 1) average_ = target("average", color_format, gpu::Use::read_back);
 }
 
@@ -75,6 +96,10 @@ void Renderer::make_frame_blocks() {
     f.environment = {std::cos(desc_.environment.rotation), std::sin(desc_.environment.rotation),
                      desc_.environment.intensity, 0.0f};
     if (desc_.environment.stack) f.stack = desc_.environment.stack->shape;
+    f.picture = {desc_.width, desc_.height,
+                 0.5 * clip_from_view(camera, aspect)[1][1] * desc_.height, 0.0f};
+    f.boundsLow = vec4(uploaded_.scene().bounds.low, 0.0f);
+    f.boundsHigh = vec4(uploaded_.scene().bounds.high, 0.0f);
     f.counts = {static_cast<int>(uploaded_.scene().lights.size()), 0, 0, 0};
     frames.push_back(f);
   }
@@ -101,11 +126,101 @@ std::vector<gpu::View> Renderer::sampled() const {
   return views;
 }
 
-std::vector<Renderer::Recorded> Renderer::recorded(Role role, const DrawPass& pass) {
-  std::vector<Recorded> result;
-  for (const Draw* draw : draws_.of(role))
-    result.push_back({draw, draws_.pipeline(pass, *draw)});
-  return result;
+Renderer::Recorded Renderer::recorded(const DrawPass& pass, const LayerDraw& draw) {
+  const gpu::Cull cull = draw.faces == Faces::front  ? gpu::Cull::back
+                         : draw.faces == Faces::back ? gpu::Cull::front
+                         : draw.draw->both_sides     ? gpu::Cull::none
+                                                     : gpu::Cull::back;
+  return {draw.draw, draws_.pipeline(pass, *draw.draw), cull};
+}
+
+void Renderer::make_layers() {
+  const DrawPass opaque{.label = "opaque", .fragment = "opaque.frag", .colors = {color_format}};
+  const DrawPass blended{.label = "blended",
+                         .fragment = "opaque.frag",
+                         .colors = {color_format},
+                         .depth_write = false,
+                         .blend = gpu::Blend::over};
+  const DrawPass refractive{.label = "refractive",
+                            .fragment = "refractive.frag",
+                            .colors = {color_format},
+                            .blend = gpu::Blend::over,
+                            .constants = {gpu::constant(40, interior_pairs)}};
+  for (const Draw* draw : draws_.of(Role::opaque))
+    opaque_.push_back(recorded(opaque, {draw, Faces::as_material}));
+
+  const double aspect = static_cast<double>(desc_.width) / desc_.height;
+  const glm::dmat4 clip_from_world =
+      clip_from_view(desc_.camera, aspect) * view_from_world(desc_.camera);
+  std::vector<LayerData> blocks;
+  for (const Layer& layer : layers_of(draws_.all(), clip_from_world, most_layers)) {
+    if (!layer.refractive.empty() && !backdrop_)
+      backdrop_.emplace(device_, desc_.width, desc_.height);
+    // What lies over opaque surfaces alone needs no pass of its own.
+    if (layers_.empty() && layer.refractive.empty()) {
+      for (const LayerDraw& draw : layer.blended)
+        over_opaque_.push_back(recorded(blended, draw));
+      continue;
+    }
+    GlassLayer& made = layers_.emplace_back();
+    made.refracts = !layer.refractive.empty();
+    for (const LayerDraw& draw : layer.refractive)
+      if (has_interior(*draw.draw)) made.solids.push_back(draw.draw);
+    if (!made.solids.empty() && !interior_)
+      interior_.emplace(device_, desc_.width, desc_.height, interior_pairs);
+    for (const LayerDraw& draw : layer.refractive)
+      made.draws.push_back(recorded(refractive, draw));
+    for (const LayerDraw& draw : layer.blended)
+      made.draws.push_back(recorded(blended, draw));
+    const int last_level = backdrop_ ? backdrop_->last_level() : 0;
+    blocks.push_back({{layer.nearest_depth, last_level, 0.0f, 0.0f}});
+  }
+  layer_blocks_ = upload_uniforms(device_, "layers", blocks);
+}
+
+void Renderer::begin(gpu::Encoder& encoder, int sample) const {
+  encoder.buffer("Frame", frames_.buffer, frames_.offset(static_cast<std::size_t>(sample)),
+                 frames_.size);
+  encoder.buffer("Lights", uploaded_.lights());
+  if (desc_.environment.stack) bind_environment(encoder);
+}
+
+gpu::Pass Renderer::opaque_pass(int sample) const {
+  return {.label = "opaque",
+          .colors = {{.view = gpu::whole(color_), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}}},
+          .depth = gpu::DepthTarget{.view = gpu::whole(depth_), .clear = 0.0f},
+          .reads = sampled(),
+          .record = [this, sample](gpu::Encoder& encoder) {
+            begin(encoder, sample);
+            for (const auto& [draw, pipeline, cull] : opaque_)
+              draws_.record(encoder, pipeline, *draw, cull);
+            if (sky_) record_sky(encoder);
+            for (const auto& [draw, pipeline, cull] : over_opaque_)
+              draws_.record(encoder, pipeline, *draw, cull);
+          }};
+}
+
+gpu::Pass Renderer::layer_pass(int sample, std::size_t i) const {
+  const GlassLayer& layer = layers_[i];
+  gpu::Pass pass{.label = layer.refracts ? "refractive" : "blended",
+                 .colors = {{.view = gpu::whole(color_)}},
+                 .depth = gpu::DepthTarget{.view = gpu::whole(depth_)},
+                 .reads = sampled()};
+  if (layer.refracts)
+    for (const gpu::View& view : backdrop_->sampled())
+      pass.reads.push_back(view);
+  if (!layer.solids.empty()) pass.reads.push_back(interior_->sampled());
+  pass.record = [this, sample, i](gpu::Encoder& encoder) {
+    begin(encoder, sample);
+    if (layers_[i].refracts) {
+      encoder.buffer("Layer", layer_blocks_.buffer, layer_blocks_.offset(i), layer_blocks_.size);
+      backdrop_->bind(encoder);
+    }
+    if (!layers_[i].solids.empty()) interior_->bind(encoder);
+    for (const auto& [draw, pipeline, cull] : layers_[i].draws)
+      draws_.record(encoder, pipeline, *draw, cull);
+  };
+  return pass;
 }
 
 void Renderer::make_passes() {
@@ -124,38 +239,16 @@ void Renderer::make_passes() {
                           .constants = {gpu::constant(0, 1.0f / static_cast<float>(desc_.samples))},
                           .colors = {color_format},
                           .blend = gpu::Blend::add});
-
-  const DrawPass opaque{.label = "opaque", .fragment = "opaque.frag", .colors = {color_format}};
-  opaque_ = recorded(Role::opaque, opaque);
-  for (const Recorded& glass : recorded(Role::refractive, opaque))
-    opaque_.push_back(glass);
-  blended_ = recorded(Role::blended, {.label = "blended",
-                                      .fragment = "opaque.frag",
-                                      .colors = {color_format},
-                                      .depth_write = false,
-                                      .blend = gpu::Blend::over});
-  const std::vector<gpu::View> textures = sampled();
-
   for (int i = 0; i < desc_.samples; ++i) {
     std::vector<gpu::Pass>& passes = passes_.emplace_back();
-    // The sky covers what no mesh does, and blended surfaces lie over both: one pass, so that the
-    // picture is not stored and loaded in between.
-    passes.push_back(
-        {.label = "opaque",
-         .colors = {{.view = gpu::whole(color_), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}}},
-         .depth = gpu::DepthTarget{.view = gpu::whole(depth_), .clear = 0.0f},
-         .reads = textures,
-         .record = [this, i](gpu::Encoder& encoder) {
-           encoder.buffer("Frame", frames_.buffer, frames_.offset(static_cast<std::size_t>(i)),
-                          frames_.size);
-           encoder.buffer("Lights", uploaded_.lights());
-           if (desc_.environment.stack) bind_environment(encoder);
-           for (const auto& [draw, pipeline] : opaque_)
-             draws_.record(encoder, pipeline, *draw);
-           if (sky_) record_sky(encoder);
-           for (const auto& [draw, pipeline] : blended_)
-             draws_.record(encoder, pipeline, *draw);
-         }});
+    passes.push_back(opaque_pass(i));
+    for (std::size_t l = 0; l < layers_.size(); ++l) {
+      if (layers_[l].refracts) backdrop_->add_passes(passes, color_, depth_, layer_blocks_, l);
+      if (!layers_[l].solids.empty())
+        interior_->add_passes(passes, draws_, layers_[l].solids, interior_pairs,
+                              [this, i](gpu::Encoder& encoder) { begin(encoder, i); });
+      passes.push_back(layer_pass(i, l));
+    }
     if (desc_.samples > 1) {
       gpu::ColorTarget average{.view = gpu::whole(average_)};
       if (i == 0) average.clear = std::array{0.0f, 0.0f, 0.0f, 0.0f};

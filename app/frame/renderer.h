@@ -1,8 +1,11 @@
 // A frame of one scene: which passes it takes, and running them.
 #pragma once
 
+#include "frame/backdrop.h"
 #include "frame/draws.h"
 #include "frame/features.h"
+#include "frame/interior.h"
+#include "frame/layers.h"
 #include "frame/uploaded_scene.h"
 #include "gpu/device.h"
 #include "image/image.h"
@@ -10,6 +13,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,13 +62,23 @@ private:
   struct Recorded {
     const Draw* draw;
     gpu::PipelineRef pipeline;
+    gpu::Cull cull;
+  };
+  struct GlassLayer {
+    std::vector<Recorded> draws;     // in the order in which they are drawn
+    std::vector<const Draw*> solids; // whose insides rays are followed through
+    bool refracts;                   // needs the picture of what is behind it
   };
   tables::DeviceTables wanted_tables() const; // of the models that the scene's materials use
   FrameFeatures features() const;
   void make_targets();
   void make_frame_blocks();
   void make_passes();
-  std::vector<Recorded> recorded(Role role, const DrawPass& pass);
+  void make_layers();
+  Recorded recorded(const DrawPass& pass, const LayerDraw& draw);
+  void begin(gpu::Encoder& encoder, int sample) const; // binds what every draw reads
+  gpu::Pass opaque_pass(int sample) const;
+  gpu::Pass layer_pass(int sample, std::size_t layer) const;
   std::vector<gpu::View> sampled() const; // every texture that the draws read
   void bind_environment(gpu::Encoder& encoder) const;
   void record_sky(gpu::Encoder& encoder) const;
@@ -78,7 +92,12 @@ private:
   UniformArray frames_; // one block per sample
   gpu::SamplerRef nearest_;
   gpu::PipelineRef sky_, accumulate_;
-  std::vector<Recorded> opaque_, blended_;
+  std::vector<Recorded> opaque_;
+  std::vector<Recorded> over_opaque_; // blended surfaces with no glass behind them
+  std::vector<GlassLayer> layers_;    // the farthest first
+  std::optional<Backdrop> backdrop_;
+  std::optional<Interior> interior_;
+  UniformArray layer_blocks_;
   std::vector<std::vector<gpu::Pass>> passes_; // by sample
 };
 

@@ -28,8 +28,10 @@ void set_rows(const Slot& slot, vec4& row0, vec4& row1) {
 // coefficient is -ln(color) / distance. Black would be infinite: the least normal float stands for
 // it, which no picture tells from 0.
 glm::vec3 absorption_of(const Material& m) {
-  if (!std::isfinite(m.attenuation_distance) || !(m.attenuation_distance > 0.0f)) return glm::vec3(0.0f);
-  const glm::vec3 color = glm::max(m.attenuation_color, glm::vec3(std::numeric_limits<float>::min()));
+  if (!std::isfinite(m.attenuation_distance) || !(m.attenuation_distance > 0.0f))
+    return glm::vec3(0.0f);
+  const glm::vec3 color =
+      glm::max(m.attenuation_color, glm::vec3(std::numeric_limits<float>::min()));
   return -glm::log(color) / m.attenuation_distance;
 }
 
@@ -72,7 +74,7 @@ LightData block_of(const scene::Light& light) {
   return block;
 }
 
-InstanceData block_of(const scene::Instance& instance) {
+InstanceData block_of(const scene::Instance& instance, std::size_t index) {
   InstanceData block{};
   block.worldFromMesh = instance.world;
   // A singular transform (scale 0 along an axis) has no inverse; such a mesh is flat and its
@@ -88,6 +90,7 @@ InstanceData block_of(const scene::Instance& instance) {
   if (largest > 0.0) normal /= largest;
   block.normalFromMesh = glm::mat4(glm::mat3(normal));
   // A mirrored tangent frame has its bitangent on the other side of n x t.
+  block.normalFromMesh[3][0] = static_cast<float>(index);
   block.normalFromMesh[3][3] = instance.mirrored ? -1.0f : 1.0f;
   return block;
 }
@@ -142,12 +145,14 @@ UploadedScene::UploadedScene(gpu::Device& device, const scene::Scene& scene) : s
                       bytes(scene.indices[i])));
 
   std::vector<MaterialData> materials;
-  for (const Material& m : scene.materials)
+  for (const Material& m : scene.materials) {
     materials.push_back(block_of(m));
+    materials.back().transmission.w = static_cast<float>(materials.size() - 1);
+  }
   materials_ = upload_uniforms(device, "materials", materials);
   std::vector<InstanceData> instances;
   for (const scene::Instance& i : scene.instances)
-    instances.push_back(block_of(i));
+    instances.push_back(block_of(i, instances.size()));
   instances_ = upload_uniforms(device, "instances", instances);
 
   std::vector<LightData> lights;

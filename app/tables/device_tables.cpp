@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "glsl/f32.h"
+#include "tables/interface_table.h"
 #include "tables/reflection_table.h"
 
 #include <glm/gtc/packing.hpp>
@@ -24,6 +25,24 @@ std::size_t index_of(const Model& model) {
   return index_of({model.distribution, Smith::separable});
 }
 
+// `texels` RGBA, slices one after the other.
+gpu::TextureRef upload_volume(gpu::Device& device, const std::string& label, int width, int height,
+                              int slices, std::span<const float> texels) {
+  const gpu::TextureRef texture = device.create(gpu::TextureDesc{.label = label,
+                                                                 .shape = gpu::Shape::d3,
+                                                                 .format = gpu::Format::rgba16f,
+                                                                 .width = width,
+                                                                 .height = height,
+                                                                 .layers = slices});
+  const std::vector<std::uint16_t> values = halves(texels);
+  const std::size_t slice = values.size() / static_cast<std::size_t>(slices);
+  for (int k = 0; k < slices; ++k)
+    device.upload(
+        texture, 0, k,
+        std::as_bytes(std::span(values).subspan(slice * static_cast<std::size_t>(k), slice)));
+  return texture;
+}
+
 } // namespace
 
 const ModelTables& DeviceTables::of(const Model& model) const {
@@ -41,21 +60,29 @@ DeviceTables upload(gpu::Device& device, std::span<const Model> wanted) {
                                                    .format = gpu::Format::rgba16f,
                                                    .width = energy_size,
                                                    .height = energy_size});
-    const std::vector<std::uint16_t> energy = halves(table.energy), lobe = halves(table.lobe);
+    const std::vector<std::uint16_t> energy = halves(table.energy);
     device.upload(target.energy, 0, 0, std::as_bytes(std::span(energy)));
-    target.lobe = device.create(gpu::TextureDesc{.label = "lobe " + name(model),
-                                                 .shape = gpu::Shape::d3,
-                                                 .format = gpu::Format::rgba16f,
-                                                 .width = size,
-                                                 .height = size,
-                                                 .layers = glsl::f32::LOBE_TABLE_SLICES});
-    constexpr std::size_t slice = 4 * static_cast<std::size_t>(size) * size;
-    for (int k = 0; k < glsl::f32::LOBE_TABLE_SLICES; ++k)
-      device.upload(
-          target.lobe, 0, k,
-          std::as_bytes(std::span(lobe).subspan(slice * static_cast<std::size_t>(k), slice)));
+    target.lobe = upload_volume(device, "lobe " + name(model), size, size,
+                                glsl::f32::LOBE_TABLE_SLICES, table.lobe);
   }
   return tables;
+}
+
+void upload_interfaces(gpu::Device& device, DeviceTables& tables, std::span<const Model> wanted,
+                       int taps) {
+  namespace f32 = glsl::f32;
+  const std::filesystem::path directory = home_directory() / "assets" / "tables";
+  for (const Model& model : wanted) {
+    ModelTables& target = tables.of_model[index_of(model)];
+    target.interface_energy =
+        upload_volume(device, "interface energy " + name(model), f32::INTERFACE_ENERGY_COSINES,
+                      f32::INTERFACE_ENERGY_ALPHAS, 2 * f32::INTERFACE_SLICES,
+                      read_interface_energy(directory, model).texels);
+    target.interface_lobes =
+        upload_volume(device, "interface lobes " + name(model), f32::INTERFACE_LOBE_COSINES,
+                      taps * f32::INTERFACE_LOBE_ALPHAS, 2 * f32::INTERFACE_SLICES,
+                      read_interface_lobes(directory, model, taps).texels);
+  }
 }
 
 } // namespace gg::tables

@@ -8,10 +8,12 @@
 
 namespace gg::tables {
 
-// What shaders/environment/lobe_table_fetch.glsl reads, for one model.
+// What shaders/environment/lobe_table_fetch.glsl and shaders/refraction/interface_table_fetch.glsl read, for one model.
 struct ModelTables {
-  gpu::TextureRef energy; // sampler2D
-  gpu::TextureRef lobe;   // sampler3D
+  gpu::TextureRef energy;           // sampler2D
+  gpu::TextureRef lobe;             // sampler3D
+  gpu::TextureRef interface_energy; // sampler3D; null unless asked for
+  gpu::TextureRef interface_lobes;  // sampler3D
 };
 
 struct DeviceTables {
@@ -23,5 +25,9 @@ struct DeviceTables {
 // Reads assets/tables and uploads the tables of the models asked for; those of the others stay empty. Throws
 // Error(input) if a file is missing or damaged.
 DeviceTables upload(gpu::Device& device, std::span<const Model> wanted = models);
+
+// Adds the tables of what is transmitted, of so many taps (1 to 4), for these models.
+void upload_interfaces(gpu::Device& device, DeviceTables& tables, std::span<const Model> wanted,
+                       int taps);
 
 } // namespace gg::tables

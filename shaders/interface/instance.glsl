@@ -2,7 +2,8 @@
 
 struct InstanceData {
     mat4 worldFromMesh;
-    mat4 normalFromMesh; // 3 x 3: inverse transpose, up to a positive factor; [3][3]: -1 if mirrored, else 1
+    mat4 normalFromMesh; // 3 x 3: inverse transpose, up to a positive factor; [3][0]: the instance's
+                         // number; [3][3]: -1 if mirrored, else 1
 };
 
 #ifndef __cplusplus

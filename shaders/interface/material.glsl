@@ -9,7 +9,8 @@ struct MaterialData {
     vec4 specular;          // xyz: colour, w: strength (KHR_materials_specular)
     vec4 conductorN;        // xyz: complex index n - i k per channel
     vec4 conductorK;
-    vec4 transmission;      // x: factor, y: width of D where light leaves a solid, -1 if that of the front, z: dispersion
+    vec4 transmission;      // x: factor, y: width of D where light leaves a solid, -1 if that of the front, z: dispersion,
+                            // w: the material's number
     vec4 attenuation;       // xyz: absorption per metre; w: thickness in mesh units
     // KHR_texture_transform of each map: uv' = (row0 . (u, v, 1), row1 . (u, v, 1)); row1.w: scale or strength.
     vec4 baseColorRow0;

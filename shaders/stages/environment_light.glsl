@@ -50,6 +50,7 @@ vec3 environmentLight(Surface s) {
             vec3 fresnel = mix(dielectricFresnel(s, angles.y), dielectricFresnel(s, angles.x), angles.z);
             float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
             float base = shading == 3 ? 1.0 - s.metallic : 1.0;
+            if (transmission > 0) base *= 1.0 - s.transmission;
             radiance += base * under * s.baseColor * around;
         }
         if (multipleScattering) radiance += multiplyScattered(s, energy.albedo, reflectance) * around;

@@ -53,7 +53,8 @@ vec3 materialFCos(Surface s, vec3 wi) {
     if (shading != 2) {
         vec3 fresnel = dielectricFresnel(s, c);
         float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
-        value = fresnel * lobe + under * s.baseColor / BSDF_PI;
+        float base = transmission > 0 ? 1.0 - s.transmission : 1.0;
+        value = fresnel * lobe + base * under * s.baseColor / BSDF_PI;
     }
     if (shading == 2) value = fresnelSchlickRgb(c, s.baseColor) * lobe;
     if (shading == 3) value = mix(value, fresnelSchlickRgb(c, s.baseColor) * lobe, s.metallic);

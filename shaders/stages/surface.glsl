@@ -10,6 +10,8 @@ layout(binding = 11) uniform sampler2D occlusionMap;
 layout(binding = 12) uniform sampler2D emissiveMap;
 layout(binding = 13) uniform sampler2D specularMap;
 layout(binding = 14) uniform sampler2D specularColorMap;
+layout(binding = 15) uniform sampler2D transmissionMap;
+layout(binding = 21) uniform sampler2D thicknessMap;
 
 struct Surface {
     vec3 position;
@@ -20,6 +22,7 @@ struct Surface {
     float alpha;       // width of D
     vec3 specularColor;
     float specular;
+    float transmission; // share of the dielectric's base that is refracted
     float occlusion;
     vec3 emissive;
 };
@@ -85,6 +88,12 @@ Surface readSurface(vec4 base) {
         s.specularColor *=
             texture(specularColorMap, mapUv(specularColorMapUv, material.specularColorRow0, material.specularColorRow1)).xyz;
 
+    s.transmission = 0.0;
+    if (transmission > 0) s.transmission = material.transmission.x;
+    if (transmissionMapUv > 0)
+        s.transmission *=
+            texture(transmissionMap, mapUv(transmissionMapUv, material.transmissionRow0, material.transmissionRow1)).x;
+
     s.occlusion = 1.0;
     if (occlusionMapUv > 0) {
         float map = texture(occlusionMap, mapUv(occlusionMapUv, material.occlusionRow0, material.occlusionRow1)).x;
@@ -94,4 +103,12 @@ Surface readSurface(vec4 base) {
     if (emissiveMapUv > 0)
         s.emissive *= texture(emissiveMap, mapUv(emissiveMapUv, material.emissiveRow0, material.emissiveRow1)).xyz;
     return s;
+}
+
+// KHR_materials_volume: mesh units.
+float surfaceThickness() {
+    float thickness = material.attenuation.w;
+    if (thicknessMapUv > 0)
+        thickness *= texture(thicknessMap, mapUv(thicknessMapUv, material.thicknessRow0, material.thicknessRow1)).y;
+    return thickness;
 }

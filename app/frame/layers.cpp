@@ -1,0 +1,99 @@
+#include "frame/layers.h"
+
+#include <algorithm>
+
+namespace gg::frame {
+namespace {
+
+// What must be in one layer.
+struct Item {
+  std::vector<LayerDraw> draws;
+  ScreenBox box;
+  bool blended = false;
+};
+
+bool same_solid(const Draw& a, const Draw& b) {
+  return a.instance_index == b.instance_index && a.material_index == b.material_index;
+}
+
+void grow(ScreenBox& box, const ScreenBox& other) {
+  box.low = glm::min(box.low, other.low);
+  box.high = glm::max(box.high, other.high);
+  box.nearest_depth = std::max(box.nearest_depth, other.nearest_depth);
+}
+
+std::vector<Item> items_of(const std::vector<Draw>& draws, const glm::dmat4& clip_from_world) {
+  std::vector<Item> items;
+  for (const Draw& draw : draws) {
+    if (draw.role == Role::opaque || draw.bounds.empty()) continue;
+    const ScreenBox box = screen_box(draw.bounds, clip_from_world);
+    const bool solid = draw.role == Role::refractive && draw.material->thickness > 0.0f;
+    if (solid) {
+      const auto found = std::ranges::find_if(items, [&](const Item& item) {
+        return same_solid(*item.draws.front().draw, draw) && !item.blended;
+      });
+      if (found != items.end()) {
+        found->draws.push_back({&draw, Faces::as_material});
+        grow(found->box, box);
+        continue;
+      }
+    }
+    const bool two_sides = draw.role == Role::refractive && !solid && draw.both_sides;
+    Item item{
+        {{&draw, two_sides ? Faces::back : Faces::as_material}}, box, draw.role == Role::blended};
+    items.push_back(item);
+    if (two_sides) {
+      item.draws.front().faces = Faces::front;
+      items.push_back(item);
+    }
+  }
+  return items;
+}
+
+} // namespace
+
+bool ScreenBox::overlaps(const ScreenBox& other) const {
+  return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y
+         && other.low.y < high.y;
+}
+
+ScreenBox screen_box(const scene::Bounds& bounds, const glm::dmat4& clip_from_world) {
+  ScreenBox box{glm::dvec2(1.0), glm::dvec2(-1.0), 0.0};
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const glm::dvec4 clip = clip_from_world
+                            * glm::dvec4(corner & 1u ? bounds.high.x : bounds.low.x,
+                                         corner & 2u ? bounds.high.y : bounds.low.y,
+                                         corner & 4u ? bounds.high.z : bounds.low.z, 1.0);
+    if (!(clip.w > 0.0) || clip.z > clip.w) return {}; // nearer than the near plane
+    const glm::dvec2 at = glm::dvec2(clip) / clip.w;
+    box.low = glm::min(box.low, at);
+    box.high = glm::max(box.high, at);
+    box.nearest_depth = std::max(box.nearest_depth, clip.z / clip.w);
+  }
+  return box;
+}
+
+std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& clip_from_world,
+                             std::size_t most) {
+  std::vector<Item> items = items_of(draws, clip_from_world);
+  // By the nearest point: what is inside of something is farther than its hull.
+  std::ranges::stable_sort(items, std::less{},
+                           [](const Item& item) { return item.box.nearest_depth; });
+  std::vector<std::size_t> at(items.size(), 0);
+  std::vector<Layer> layers;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      if (items[i].box.overlaps(items[j].box))
+        // Blended surfaces need no picture of what is behind them: they lie over it in order.
+        at[i] = std::max(at[i], at[j] + (items[i].blended ? 0 : 1));
+    at[i] = std::min(at[i], most - 1);
+    layers.resize(std::max(layers.size(), at[i] + 1));
+    Layer& layer = layers[at[i]];
+    std::vector<LayerDraw>& list = items[i].blended ? layer.blended : layer.refractive;
+    list.insert(list.end(), items[i].draws.begin(), items[i].draws.end());
+    layer.nearest_depth = std::max(layer.nearest_depth, items[i].box.nearest_depth);
+  }
+  return layers;
+}
+
+} // namespace gg::frame

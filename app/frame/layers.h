@@ -1,0 +1,42 @@
+// The order of what light passes through: far to near, and together what does not overlap on the screen.
+#pragma once
+
+#include "frame/draws.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace gg::frame {
+
+// Which faces of a draw belong to a layer.
+enum class Faces { as_material, front, back };
+
+struct LayerDraw {
+  const Draw* draw;
+  Faces faces;
+};
+
+// Surfaces that are drawn with one picture of what is behind them.
+struct Layer {
+  std::vector<LayerDraw> refractive, blended;
+  double nearest_depth = 0.0; // device depth (1 near, 0 far) of the nearest point of its bounds
+};
+
+// Refractive and blended draws by layer, the farthest first. The parts of a solid (one instance, one
+// material) stay together. A thin wall that shows both sides is two things: its far side, then its
+// near one. `most` > 0 layers at most: what would need more goes into the last, each part in its
+// order. Pure.
+std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& clip_from_world,
+                             std::size_t most);
+
+// A rectangle on the screen, clip coordinates -1..1 divided by w; everything if it reaches behind
+// the camera.
+struct ScreenBox {
+  glm::dvec2 low{-1.0}, high{1.0};
+  double nearest_depth = 1.0; // device depth
+  bool overlaps(const ScreenBox& other) const;
+};
+ScreenBox screen_box(const scene::Bounds& bounds, const glm::dmat4& clip_from_world);
+
+} // namespace gg::frame

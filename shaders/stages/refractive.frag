@@ -1,0 +1,43 @@
+// refractive.frag: a surface of glass: what it reflects, and what is seen through it.
+#version 450
+#include "interface/frame.glsl"
+#include "interface/instance.glsl"
+#include "interface/layer.glsl"
+#include "interface/lights.glsl"
+#include "interface/material.glsl"
+#include "stages/material_features.glsl"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+layout(location = 2) in vec4 inTangent;
+layout(location = 3) in vec4 inColor;
+layout(location = 4) in vec4 inUv01;
+layout(location = 5) in vec4 inUv23;
+
+layout(location = 0) out vec4 outColor; // premultiplied
+
+#include "stages/surface.glsl"
+#include "stages/object.glsl"
+#include "stages/reflectance.glsl"
+#include "stages/punctual_lights.glsl"
+#include "stages/environment.glsl"
+#include "stages/environment_light.glsl"
+#include "stages/surroundings.glsl"
+#include "stages/glass.glsl"
+
+void main() {
+    vec4 base = surfaceBaseColor();
+    if (alphaMode == 1 && base.w < material.emissive.w) discard;
+    float coverage = alphaMode == 2 ? base.w : 1.0;
+    Surface s = readSurface(base);
+    float through = s.transmission * (1.0 - s.metallic);
+    vec3 radiance = s.emissive;
+    if (through > 0.0) {
+        // A base colour tints what passes once: its root at each face of a solid.
+        vec3 tint = gl_FrontFacing || transmission == 1 ? s.baseColor : sqrt(s.baseColor);
+        radiance += through * tint * throughGlass(s);
+    }
+    if (hasEnvironment && !indexIsOne) radiance += environmentLight(s);
+    if (hasLights) radiance += punctualLight(s);
+    outColor = vec4(radiance * coverage, coverage);
+}

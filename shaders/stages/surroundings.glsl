@@ -1,0 +1,191 @@
+// surroundings.glsl: what a beam of light that leaves the glass brings: the picture behind it where it can be seen, the
+// environment at the same width where it cannot.
+// Frame    world, metres; pixels from the top left corner.
+// Needs    interface/frame.glsl, interface/layer.glsl, stages/environment.glsl.
+// Source   DESIGN.md §2 (5). A surface that a beam meets is looked for in the depth behind the layer: first from depth to
+//          depth (each read is taken for a plane across the view, whose meeting with the beam has a closed form), which finds
+//          walls and floors in two or three reads; where that does not settle, in steps that are even on the screen.
+#include "refraction/screen_pyramid_fetch.glsl"
+
+layout(binding = 24) uniform sampler2D screenPyramid;
+layout(binding = 25) uniform sampler2D backdropDepth; // device depth: 1 near, 0 far and sky
+
+// A Gaussian beam that leaves the glass; see ComposedTap.
+struct Beam {
+    vec3 origin;
+    vec3 direction;
+    float sigma;   // radians
+    float inner;   // sigma that it had inside, radians
+    float carried; // of sigma, what came with it
+    float inside;  // metres that it ran inside
+};
+
+// Where a beam's centre meets what is behind.
+struct Meeting {
+    float distance; // metres from the origin; negative: nowhere, it goes to the sky
+    bool seen;      // the picture shows it
+};
+
+const int MEETING_GUESSES = 4;
+const int MEETING_STEPS = 12;
+const int MEETING_SECANTS = 3;
+
+// Clip coordinates, w > 0 -> pixels.
+vec2 pixelOf(vec4 clip) { return (vec2(0.5, -0.5) * clip.xy / clip.w + 0.5) * frame.picture.xy; }
+
+bool isOnPicture(vec2 at) { return all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, frame.picture.xy)); }
+
+float depthBehind(vec2 at) {
+    return texelFetch(backdropDepth, ivec2(clamp(at, vec2(0.0), frame.picture.xy - 1.0)), 0).x;
+}
+
+// How far along the ray from `from` (clip coordinates; `along` per metre) the depth is z: negative if never.
+float distanceToDepth(vec4 from, vec4 along, float z) {
+    float rate = along.z - z * along.w;
+    return rate == 0.0 ? -1.0 : (z * from.w - from.z) / rate;
+}
+
+// Metres until the ray has left the box of the scene: there is nothing to meet behind.
+float distanceOutOfScene(vec3 origin, vec3 direction) {
+    vec3 inverse = 1.0 / direction; // infinite along an axis that it does not move on, which min and max take
+    vec3 far = max((frame.boundsLow.xyz - origin) * inverse, (frame.boundsHigh.xyz - origin) * inverse);
+    return min(far.x, min(far.y, far.z));
+}
+
+Meeting meetByGuess(vec4 from, vec4 along, out bool settled) {
+    Meeting meeting;
+    meeting.distance = 0.0;
+    meeting.seen = true;
+    settled = false;
+    vec2 at = pixelOf(from);
+    for (int k = 0; k < MEETING_GUESSES; ++k) {
+        float z = depthBehind(at);
+        bool sky = z == 0.0;
+        float distance = sky ? -1.0 : distanceToDepth(from, along, z);
+        vec4 there = sky ? along : from + distance * along;
+        if ((!sky && !(distance >= 0.0)) || !(there.w > 0.0)) return meeting;
+        vec2 next = pixelOf(there);
+        if (!isOnPicture(next)) return meeting;
+        vec2 moved = abs(next - at);
+        at = next;
+        meeting.distance = distance;
+        // Within a pixel the depth that was read is the depth there.
+        settled = k > 0 && max(moved.x, moved.y) < 1.0;
+        if (settled) return meeting;
+    }
+    return meeting;
+}
+
+// In front of the surface: positive.
+float heightAbove(vec3 ndc) {
+    float z = depthBehind((vec2(0.5, -0.5) * ndc.xy + 0.5) * frame.picture.xy);
+    return ndc.z - z;
+}
+
+Meeting meetBySteps(vec4 from, vec4 along, float most) {
+    Meeting miss;
+    miss.distance = -1.0;
+    // The way to the end, as far as it stays on the picture and before the camera: each clip plane x = ±w, y = ±w and
+    // w = (a hundredth of) where it began cuts off what lies beyond.
+    vec4 way = most * along;
+    float end = 1.0;
+    vec4 room = vec4(from.w - from.x, from.w + from.x, from.w - from.y, from.w + from.y);
+    vec4 loss = vec4(way.x - way.w, -way.x - way.w, way.y - way.w, -way.y - way.w);
+    for (int k = 0; k < 4; ++k)
+        if (loss[k] > room[k]) end = min(end, max(room[k], 0.0) / loss[k]);
+    if (-way.w > 0.99 * from.w) end = min(end, 0.99 * from.w / -way.w);
+    vec4 to = from + end * way;
+    miss.seen = end == 1.0 && along.w > 0.0 && isOnPicture(pixelOf(along)) && depthBehind(pixelOf(along)) == 0.0;
+    vec3 a = from.xyz / from.w;
+    vec3 b = to.xyz / to.w;
+    float before = 0.0;
+    float heightBefore = heightAbove(a);
+    for (int k = 1; k <= MEETING_STEPS; ++k) {
+        float u = float(k) / float(MEETING_STEPS);
+        float height = heightAbove(mix(a, b, u));
+        if (heightBefore >= 0.0 && height < 0.0) {
+            float low = before;
+            float heightLow = heightBefore;
+            float high = u;
+            float heightHigh = height;
+            for (int j = 0; j < MEETING_SECANTS; ++j) {
+                // Kept off the ends by a tenth: a step in depth would hold a secant there.
+                float cut = clamp(heightLow / (heightLow - heightHigh), 0.1, 0.9);
+                float middle = mix(low, high, cut);
+                float heightMiddle = heightAbove(mix(a, b, middle));
+                bool front = heightMiddle >= 0.0;
+                low = front ? middle : low;
+                heightLow = front ? heightMiddle : heightLow;
+                high = front ? high : middle;
+                heightHigh = front ? heightHigh : heightMiddle;
+            }
+            // Met if what is left between the two sides is less than the ray's own course over them explains, twice over;
+            // else it went behind something nearer, and comes out again or not.
+            float course = abs(b.z - a.z) * (high - low);
+            if (heightLow - heightHigh <= 3.0 * course + 0.02 * abs(mix(a.z, b.z, high))) {
+                float v = mix(low, high, clamp(heightLow / max(heightLow - heightHigh, 1e-30), 0.0, 1.0));
+                // Even steps on the screen are even in 1 / w.
+                float near = (1.0 - v) / from.w;
+                float far = v / to.w;
+                Meeting meeting;
+                meeting.distance = most * end * far / (near + far);
+                meeting.seen = true;
+                return meeting;
+            }
+        }
+        before = u;
+        heightBefore = height;
+    }
+    return miss;
+}
+
+Meeting meetBackdrop(vec3 origin, vec3 direction) {
+    Meeting meeting;
+    meeting.distance = -1.0;
+    meeting.seen = false;
+    vec4 from = frame.clipFromWorld * vec4(origin, 1.0);
+    vec4 along = frame.clipFromWorld * vec4(direction, 0.0);
+    if (!(from.w > 0.0) || !isOnPicture(pixelOf(from))) return meeting;
+    bool settled;
+    meeting = meetByGuess(from, along, settled);
+    if (settled) return meeting;
+    return meetBySteps(from, along, max(distanceOutOfScene(origin, direction), 0.0));
+}
+
+vec3 farRadiance(vec3 direction, float sigma) {
+    if (!hasEnvironment) return vec3(0.0);
+    return frame.environment.z * environmentRadiance(stackEven, stackOdd, frame.stack, inEnvironment(direction), sigma);
+}
+
+// Radiance that arrives along the beam. `meeting`: of its centre, or of another beam of nearly the same origin and direction.
+vec3 beamRadiance(Beam beam, Meeting meeting) {
+    float share = 0.0;
+    vec3 near = vec3(0.0);
+    bool ends = meeting.distance >= 0.0;
+    vec4 place = ends ? vec4(beam.origin + meeting.distance * beam.direction, 1.0) : vec4(beam.direction, 0.0);
+    vec4 clip = frame.clipFromWorld * place;
+    if (meeting.seen && clip.w > 0.0) {
+        vec3 fromEye = ends ? place.xyz - frame.eye.xyz : beam.direction;
+        float range = length(fromEye);
+        float pixels; // sigma
+        if (frame.eye.w > 0.0) {
+            float angle = ends ? sqrt(beamVariance(beam.sigma, beam.carried, beam.inner, beam.inside, meeting.distance)) / range
+                               : beam.sigma;
+            pixels = angle * pixelsPerRadian(frame.picture.z, min(clip.w / range, 1.0));
+        } else {
+            // An orthographic camera sees one direction of the sky only: the rest is the environment's business.
+            pixels = ends ? sqrt(beamVariance(beam.sigma, beam.carried, beam.inner, beam.inside, meeting.distance)) * frame.picture.z
+                          : 0.0;
+        }
+        vec2 at = pixelOf(clip);
+        share = pyramidCoverage(at, frame.picture.xy, pixels);
+        if (share > 0.0) {
+            vec4 seen = fetchPyramid(screenPyramid, at, frame.picture.xy, pixels * pixels, layer.backdrop.y);
+            // Where less than half of the blur falls on what can be behind, the environment comes in for the rest.
+            share *= min(2.0 * seen.w, 1.0);
+            near = seen.w > 0.0 ? seen.xyz / seen.w : vec3(0.0);
+        }
+    }
+    if (share >= 0.999) return near; // what is left, a thousandth, is below what 8 bits show
+    return mix(farRadiance(beam.direction, beam.sigma), near, share);
+}
