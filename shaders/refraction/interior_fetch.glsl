@@ -64,7 +64,14 @@ InteriorMeeting interiorMeeting(usampler2DArray interior, int pairs, InteriorVie
   InteriorMeeting best;
   best.t = -1.0;
   best.layer = INTERIOR_B1;
+  // Where the second front face comes before the first back face two bodies overlap: what lies between is inside of both.
+  bool overlap = false;
+  if (pairs > 1) {
+    vec4 depths = interiorDepths(interior, pairs, at, solid);
+    overlap = depths.x > depths.y && depths.z > depths.y && depths.w > 0.0;
+  }
   for (int layer = 0; layer < 2 * pairs; ++layer) {
+    if (overlap && (layer == INTERIOR_B1 || layer == INTERIOR_F1 + 2)) continue;
     uvec4 bits = texelFetch(interior, ivec3(at, layer), 0);
     InteriorSurface s = interiorSurface(view, bits, at);
     float own = exitPlane(origin, direction, s.point, s.n);
