@@ -1,7 +1,8 @@
 #include "environment/stack.h"
 
-#include "environment/corner_balance.h"
+#include "environment/equirect_lattice.h"
 #include "environment/zonal.h"
+#include "glsl/f64.h"
 
 #include <glm/gtc/type_precision.hpp>
 
@@ -9,6 +10,8 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <future>
+#include <map>
 #include <numbers>
 
 namespace gg::environment {
@@ -25,16 +28,23 @@ constexpr int least_face = 64, greatest_face = 1024, smallest_level = 4, irradia
 // Up to this size of result the kernel is convolved over all pairs, from the odd level of twice the size.
 constexpr int zonal_face = 8;
 constexpr int irradiance_source = 32;
-// From this size on a kernel spans less than 7 degrees, over which sin² is theta² to 0.5 % and texels have one area to 10 %.
-constexpr int narrow_face = 128;
 constexpr double texels_per_sigma =
     1.25; // of even levels at a face's centre, where a texel is 2 / size wide
 constexpr double sharp_pixels = 0.6;      // sigma of the sharp level in pixels of the picture
 constexpr double equirect_reach = 4.0;    // sigma: environment_equirect.comp
 constexpr double cosine_amplified = 25.0; // at most: half floats keep 3 digits of what that leaves
 constexpr double cosine_kept = 0.002; // rad²: 0.2 % less contrast at degree 1, 0.6 % at degree 2
-constexpr int kernel_samples = 1024;
-constexpr int balance_rounds = 4; // of the wide kernels: what is left is below 1e-4
+// Read without interpolation: of the narrowest kernel, 0.22 rad, a value is then at most 0.04 % of the peak off, and as much too
+// large here as too small there.
+constexpr int kernel_samples = 4096;
+constexpr int balance_rounds = 4;     // of the wide kernels: what is left is below 1e-4
+constexpr int blur_balance_steps = 3; // environment_blur.comp
+
+// Texels of a face's edge that one group of a stage makes: local_size, times 2 where an invocation makes a quad.
+constexpr int quads_group = 16, weigh_group = 8, zonal_group = 8;
+int groups(int texels, int of_one) {
+  return (texels + of_one - 1) / of_one;
+}
 
 double even_sigma(int size) {
   return 2.0 * texels_per_sigma / size;
@@ -52,6 +62,17 @@ gpu::View faces(const gpu::TextureRef& cube, int level) {
   return {.texture = cube, .level = level, .level_count = 1, .layer = 0, .layer_count = 6};
 }
 
+// sigma of the sharp level, radians.
+double sharp_sigma(const Map& map) {
+  return sharp_pixels * std::numbers::pi / map.height;
+}
+
+// `kernel` of a step that ends at so many sigma.
+vec4 kernel_of(double reach, double variance) {
+  const double radius = reach * std::sqrt(variance), half = std::sin(0.5 * radius);
+  return {radius, 4.0 * half * half, 0.5 / variance, 0.0};
+}
+
 // Collects the passes of the build; they run together at the end.
 class Builder {
 public:
@@ -65,9 +86,9 @@ private:
     gpu::SamplerRef sampler;
   };
   void add(const std::string& label, const gpu::PipelineRef& pipeline, const EnvironmentStep& step,
-           std::vector<Bound> textures, const char* image_name, const gpu::View& image, int size,
-           int layers);
-  void sharp();
+           std::vector<Bound> textures, const char* image_name, const gpu::View& image,
+           int groups_per_edge, int layers);
+  void sharp(const EquirectLattice& lattice);
   void blur(const gpu::View& from, const gpu::View& to, int size, double variance, bool halved);
   void zonal(const gpu::View& from, int from_size, const gpu::View& to, int size, int kernel);
   gpu::TextureRef plane(const std::string& label, int width, int height,
@@ -76,7 +97,7 @@ private:
                          const std::vector<float>& values);
   gpu::TextureRef cube(const std::string& label, int size, int level_count,
                        gpu::Format format = gpu::Format::rgba16f);
-  gpu::PipelineRef blur_pipeline(int stage, bool narrow);
+  gpu::View areas(int size);
   gpu::PipelineRef compute(const std::string& file, std::vector<gpu::Constant> constants = {});
 
   gpu::Device& device_;
@@ -87,7 +108,8 @@ private:
   gpu::BufferRef steps_;
   std::vector<EnvironmentStep> step_values_;
   std::vector<gpu::Pass> passes_;
-  gpu::PipelineRef weigh_[2], blur_[6], zonal_[4];
+  std::map<int, gpu::TextureRef> areas_; // of the texels of a face, by its size
+  gpu::PipelineRef equirect_, weigh_, blur_, blur_balance_, zonal_, zonal_balance_;
   int face_ = 0;
 };
 
@@ -143,7 +165,7 @@ gpu::PipelineRef Builder::compute(const std::string& file, std::vector<gpu::Cons
 
 void Builder::add(const std::string& label, const gpu::PipelineRef& pipeline,
                   const EnvironmentStep& step, std::vector<Bound> textures, const char* image_name,
-                  const gpu::View& image, int size, int layers) {
+                  const gpu::View& image, int groups_per_edge, int layers) {
   gpu::Pass pass;
   pass.label = label;
   for (const Bound& b : textures)
@@ -151,54 +173,40 @@ void Builder::add(const std::string& label, const gpu::PipelineRef& pipeline,
   pass.storage = {image};
   const std::size_t offset = step_values_.size() * gpu::block_alignment;
   step_values_.push_back(step);
-  const auto groups = static_cast<std::uint32_t>((size + 7) / 8);
+  const auto edge = static_cast<std::uint32_t>(groups_per_edge);
   pass.record = [=, this, textures = std::move(textures)](gpu::Encoder& encoder) {
     encoder.use(pipeline);
     encoder.buffer("Step", steps_, offset, sizeof(EnvironmentStep));
     for (const Bound& b : textures)
       encoder.texture(b.name, b.view, b.sampler);
     encoder.image(image_name, image);
-    encoder.dispatch(groups, groups, static_cast<std::uint32_t>(layers));
+    encoder.dispatch(edge, edge, static_cast<std::uint32_t>(layers));
   };
   passes_.push_back(std::move(pass));
 }
 
-gpu::PipelineRef Builder::blur_pipeline(int stage, bool narrow) {
-  gpu::PipelineRef& pipeline = blur_[2 * stage + narrow];
-  if (!pipeline)
-    pipeline =
-        compute("environment_blur.comp", {gpu::constant(0, stage), gpu::constant(1, narrow)});
-  return pipeline;
+gpu::View Builder::areas(int size) {
+  gpu::TextureRef& texture = areas_[size];
+  if (!texture) {
+    std::vector<float> values;
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x)
+        values.push_back(static_cast<float>(glsl::f64::cubeTexelSolidAngle(x, y, size)));
+    texture = filled("areas", size, size, gpu::Format::r32f, values);
+  }
+  return gpu::whole(texture);
 }
 
-void Builder::sharp() {
-  std::vector<float> texels;
-  texels.reserve(map_.rgb.size() / 3 * 4);
-  const float scale = 1.0f / stack_.unit;
-  for (std::size_t i = 0; i < map_.rgb.size(); i += 3)
-    texels.insert(texels.end(),
-                  {scale * map_.rgb[i], scale * map_.rgb[i + 1], scale * map_.rgb[i + 2], 1.0f});
-  const double sigma = sharp_pixels * std::numbers::pi / map_.height;
-  const std::vector<float> balanced = balanced_rows(map_.width, map_.height, sigma, equirect_reach);
-  // The picture's fourth channel is what a pixel counts for beside its row.
-  for (const PixelFactor& f :
-       balanced_corners(map_.width, map_.height, face_, sigma, equirect_reach, balanced))
-    texels[4 * f.pixel + 3] = f.factor;
-  const auto picture = filled(map_.name, map_.width, map_.height, gpu::Format::rgba32f, texels);
-  std::vector<float> rings;
-  for (int y = 0; y < map_.height; ++y) {
-    const double theta = std::numbers::pi * (y + 0.5) / map_.height;
-    rings.insert(rings.end(),
-                 {static_cast<float>(std::sin(theta)), static_cast<float>(std::cos(theta)),
-                  balanced[static_cast<std::size_t>(y)], 0.0f});
-  }
-  const auto rows = filled("rows", map_.height, 1, gpu::Format::rgba32f, rings);
+void Builder::sharp(const EquirectLattice& lattice) {
+  const auto picture =
+      filled(map_.name, map_.width, map_.height, gpu::Format::rgba32f, lattice.texels);
+  const auto rows = filled("rows", map_.width, 3, gpu::Format::rgba32f, lattice.rows);
   EnvironmentStep step{};
   step.sizes = {face_, 0, map_.width, map_.height};
-  step.kernel.x = static_cast<float>(sigma);
-  add("environment: cube", compute("environment_equirect.comp"), step,
+  step.kernel = kernel_of(equirect_reach, sharp_sigma(map_) * sharp_sigma(map_));
+  add("environment: cube", equirect_, step,
       {{"equirect", gpu::whole(picture), point_}, {"rows", gpu::whole(rows), point_}}, "result",
-      faces(stack_.even, 0), face_, 6);
+      faces(stack_.even, 0), groups(face_, quads_group), 6);
 }
 
 // `variance` is what the result has more than the source. `from_level` of the source is as large as the result, or twice
@@ -206,45 +214,47 @@ void Builder::sharp() {
 void Builder::blur(const gpu::View& from, const gpu::View& to, int size, double variance,
                    bool halved) {
   EnvironmentStep step{};
-  step.sizes = {size, halved ? 2 * size : size, 0, 0};
-  // The four points that a halved texel is the mean of lie half a source texel off: a 16th of its area per axis.
-  step.kernel = {variance, halved ? 1.0 / 16.0 : 0.0, 0.0, 0.0};
-  const bool narrow = size >= narrow_face;
-  const gpu::View first = gpu::whole(plane("weights", size, size)),
-                  second = gpu::whole(plane("weights", size, size)),
-                  third = gpu::whole(plane("weights", size, size));
-  add("environment: balance", blur_pipeline(1, narrow), step, {}, "weightsResult", first, size / 2,
-      1);
-  add("environment: balance", blur_pipeline(2, narrow), step, {{"weights", first, point_}},
-      "weightsResult", second, size / 2, 1);
-  add("environment: balance", blur_pipeline(2, narrow), step, {{"weights", second, point_}},
-      "weightsResult", third, size / 2, 1);
-  const gpu::View weighted =
-      faces(scratch_, std::countr_zero(static_cast<unsigned>(face_ / 2 / size)));
-  add("environment: weigh", weigh_[halved], step,
-      {{"source", from, point_}, {"weights", third, point_}}, "weighted", weighted, size, 6);
-  add("environment: blur", blur_pipeline(0, narrow), step, {{"weighted", weighted, point_}},
-      "result", to, size, 6);
+  step.sizes = {size, halved ? 2 * size : size, from.level, 0};
+  step.kernel = kernel_of(glsl::f64::HEAT_KERNEL_REACH, variance / glsl::f64::HEAT_KERNEL_KEPT);
+  // The four points that a halved texel is the mean of lie half a source texel off: a 16th of its area per axis, at a face's
+  // centre of 4 / size², and half of it for each end.
+  if (halved) step.kernel.w = static_cast<float>(0.5 / 16.0 * 4.0 / (size * size) / variance);
+  gpu::View weights = areas(size);
+  for (int i = 0; i < blur_balance_steps; ++i) {
+    const gpu::View next = gpu::whole(plane("weights", size, size));
+    add("environment: balance", blur_balance_, step, {{"weights", weights, point_}},
+        "weightsResult", next, groups(size / 2, quads_group), 1);
+    weights = next;
+  }
+  // Levels are chosen in the shader, and all sizes are weighed into one texture: for views of one level each a driver may
+  // compile the shaders anew.
+  const gpu::View weighted = gpu::whole(scratch_);
+  add("environment: weigh", weigh_, step,
+      {{"source", gpu::whole(from.texture), point_}, {"weights", weights, point_}}, "weighted",
+      weighted, groups(size, weigh_group), 6);
+  add("environment: blur", blur_, step, {{"weighted", weighted, point_}}, "result", to,
+      groups(size, quads_group), 6);
 }
 
 void Builder::zonal(const gpu::View& from, int from_size, const gpu::View& to, int size,
                     int kernel) {
-  EnvironmentStep step{};
-  step.sizes = {size, from_size, 0, 0};
-  step.kernel.z = static_cast<float>(kernel);
-  const Bound kernels{"kernels", gpu::whole(kernels_), device_.create(gpu::SamplerDesc{})};
+  EnvironmentStep onto_result{}, onto_source{};
+  onto_result.sizes = {size, from_size, kernel, 0};
+  onto_source.sizes = {from_size, size, kernel, 0};
+
+  const Bound kernels{"kernels", gpu::whole(kernels_), point_};
   const gpu::View rows = gpu::whole(plane("rows", size, size)),
                   columns = gpu::whole(plane("columns", from_size, from_size));
-  add("environment: balance", zonal_[0], step, {kernels}, "balanceResult", rows, 2 * size, 1);
   for (int round = 0; round < balance_rounds; ++round) {
-    add("environment: balance", zonal_[1], step, {kernels, {"rows", rows, point_}}, "balanceResult",
-        columns, 2 * from_size, 1);
-    if (round + 1 < balance_rounds)
-      add("environment: balance", zonal_[2], step, {kernels, {"columns", columns, point_}},
-          "balanceResult", rows, 2 * size, 1);
+    add("environment: balance", zonal_balance_, onto_result,
+        {kernels, {"weights", round ? columns : areas(from_size), point_}}, "weightsResult", rows,
+        groups(size / 2, zonal_group), 1);
+    add("environment: balance", zonal_balance_, onto_source, {kernels, {"weights", rows, point_}},
+        "weightsResult", columns, groups(from_size / 2, zonal_group), 1);
   }
-  add("environment: wide", zonal_[3], step,
-      {kernels, {"source", from, point_}, {"columns", columns, point_}}, "result", to, 2 * size, 6);
+  add("environment: wide", zonal_, onto_result,
+      {kernels, {"source", from, point_}, {"weights", columns, point_}}, "result", to,
+      groups(size, zonal_group), 6);
 }
 
 Stack Builder::build(std::vector<gpu::PassTime>* times) {
@@ -253,17 +263,23 @@ Stack Builder::build(std::vector<gpu::PassTime>* times) {
   stack_.odd = cube("environment, odd levels", face_ / 2, even_levels - 1);
   stack_.irradiance = cube("irradiance", irradiance_face, 1);
   stack_.sampler = device_.create(gpu::SamplerDesc{.between_levels = gpu::Filter::linear});
-  scratch_ = cube("scratch", face_ / 2, even_levels - 1, gpu::Format::rgba32f);
+  scratch_ = cube("scratch", face_ / 2, 1, gpu::Format::rgba32f);
   point_ = device_.create(
       gpu::SamplerDesc{.magnify = gpu::Filter::nearest, .minify = gpu::Filter::nearest});
-  for (const bool halved : {false, true})
-    weigh_[halved] = compute("environment_weigh.comp", {gpu::constant(0, halved)});
-  for (int stage = 0; stage < 4; ++stage)
-    zonal_[stage] = compute("environment_zonal.comp", {gpu::constant(0, stage)});
+  // The host balances the picture's lattice while the shaders are compiled.
+  auto lattice = std::async(std::launch::async, [this] {
+    return equirect_lattice(map_, face_, stack_.unit, sharp_sigma(map_), equirect_reach);
+  });
+  equirect_ = compute("environment_equirect.comp");
+  weigh_ = compute("environment_weigh.comp");
+  blur_ = compute("environment_blur.comp", {gpu::constant(0, false)});
+  blur_balance_ = compute("environment_blur.comp", {gpu::constant(0, true)});
+  zonal_ = compute("environment_zonal.comp", {gpu::constant(0, false)});
+  zonal_balance_ = compute("environment_zonal.comp", {gpu::constant(0, true)});
+  sharp(lattice.get());
 
-  const double sharp_sigma = sharp_pixels * std::numbers::pi / map_.height;
-  double variance = sharp_sigma * sharp_sigma;
-  sharp();
+  const double sharpest = sharp_sigma(map_);
+  double variance = sharpest * sharpest;
   std::vector<std::pair<gpu::View, int>>
       wide;       // levels that are convolved over all pairs, by growing sigma
   gpu::View last; // the odd level before them
@@ -311,7 +327,7 @@ Stack Builder::build(std::vector<gpu::PassTime>* times) {
   device_.run(passes_, times);
 
   const double first = even_sigma(face_ / 2);
-  stack_.shape = {std::sqrt(sharp_sigma * sharp_sigma + lookup_variance(face_)),
+  stack_.shape = {std::sqrt(sharpest * sharpest + lookup_variance(face_)),
                   // The mean of an even and an odd level's share, as one number stands for both.
                   std::sqrt(first * first + 0.75 * lookup_variance(face_ / 2)),
                   2 * (even_levels - 1) - 1, stack_.unit};

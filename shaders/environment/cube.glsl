@@ -10,8 +10,6 @@
 #ifndef GG_ENVIRONMENT_CUBE_GLSL
 #define GG_ENVIRONMENT_CUBE_GLSL
 
-const float CUBE_QUARTER_PI = 0.78539816339744830962;
-
 vec3 cubeDirection(int face, float s, float t) {
   if (face == 0) return vec3(1.0, -t, -s);
   if (face == 1) return vec3(-1.0, -t, s);
@@ -62,21 +60,26 @@ struct CubeRange {
 };
 
 // First and last index whose texel centre can lie in the cap, along one axis: seen along the other axis, the cap is
-// an interval of angles about atan2(along, out), of half-width asin(sinRadius / sqrt(along² + out²)).
+// an interval of angles about that of (along, outward), of half-width asin(sinRadius / sqrt(along² + outward²)). Its ends are
+// that vector turned by the half-width, both ways; no angle is needed.
 ivec2 cubeCapInterval(float along, float outward, float sinRadius, int size) {
-  float d = sqrt(along * along + outward * outward);
-  float low = -CUBE_QUARTER_PI;
-  float high = CUBE_QUARTER_PI;
-  if (d > sinRadius) {
-    float middle = atan(along, outward);
-    float spread = asin(sinRadius / d);
-    low = max(low, middle - spread);
-    high = min(high, middle + spread);
+  float low = -1.0;
+  float high = 1.0;
+  float beside2 = along * along + outward * outward - sinRadius * sinRadius;
+  if (beside2 > 0.0) {
+    float beside = sqrt(beside2);
+    float lowOut = outward * beside + along * sinRadius;
+    float highOut = outward * beside - along * sinRadius;
+    // An end that is not in front of the face: past it on the end's own side the face is open to there, else it is missed.
+    if (lowOut > 0.0) low = max(low, (along * beside - outward * sinRadius) / lowOut);
+    else if (along >= 0.0) low = 2.0;
+    if (highOut > 0.0) high = min(high, (along * beside + outward * sinRadius) / highOut);
+    else if (along <= 0.0) high = -2.0;
   }
   if (low > high) return ivec2(1, 0);
   float scale = 0.5 * float(size);
-  int first = int(ceil(scale * (tan(low) + 1.0) - 0.5));
-  int last = int(floor(scale * (tan(high) + 1.0) - 0.5));
+  int first = int(ceil(scale * (low + 1.0) - 0.5));
+  int last = int(floor(scale * (high + 1.0) - 0.5));
   return ivec2(max(first, 0), min(last, size - 1));
 }
 
@@ -97,6 +100,22 @@ CubeRange cubeCapFace(vec3 l, float cosRadius, float sinRadius, int size) {
   range.firstY = rangeY.x;
   range.lastY = rangeY.y;
   return range;
+}
+
+// First and last index of that cap on one row of the face, at coordinate t, or all of it. Where l.(s, t, 1) = cosRadius
+// |(s, t, 1)|, for s; what is under the root is rounded by up to 4e-7, which is added to keep what lies on the rim.
+ivec2 cubeCapRow(vec3 l, float cosRadius, float t, int size) {
+  float k = l.y * t + l.z;
+  float a = cosRadius * cosRadius - l.x * l.x;
+  float inside = k * k - a * (1.0 + t * t) + 4e-7;
+  if (a <= 0.0) return ivec2(0, size - 1);
+  if (inside < 0.0) return ivec2(1, 0);
+  float middle = l.x * k;
+  float spread = cosRadius * sqrt(inside);
+  float scale = 0.5 * float(size);
+  int first = int(ceil(scale * ((middle - spread) / a + 1.0) - 0.5));
+  int last = int(floor(scale * ((middle + spread) / a + 1.0) - 0.5));
+  return ivec2(max(first, 0), min(last, size - 1));
 }
 
 #endif

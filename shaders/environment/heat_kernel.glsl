@@ -1,10 +1,9 @@
 // heat_kernel.glsl: the Gaussian of the sphere, exp(-l(l+1) variance / 2) in every spherical harmonic of degree l.
 // Frame    any.
 // alpha    none. variance: sigma² in rad², per axis of the tangent plane.
-// Returns  heatKernel: the kernel at a point whose angle θ < 1 to the centre has sin2 = sin²θ, times a constant.
-//          heatKernelNarrow: the same where θ is so small that sin²θ is θ².
+// Returns  heatKernel: the kernel at a point whose angle θ < 1 to the centre has chord2 = (2 sin(θ/2))², times a constant.
 // Source   [MinakPleijel49], first term: exp(-θ²/(2 v)) sqrt(θ / sin θ).
-// Limits   heatKernel: within 2 % of itself at 4 sigma for sigma <= 0.25, where it is 3e-4 of its peak.
+// Limits   Within 2 % of itself at 4 sigma for sigma <= 0.25, where it is 3e-4 of its peak.
 //          Wider ones are summed as Legendre series on the host (app/environment/zonal.h).
 #ifndef GG_ENVIRONMENT_HEAT_KERNEL_GLSL
 #define GG_ENVIRONMENT_HEAT_KERNEL_GLSL
@@ -14,12 +13,10 @@
 const float HEAT_KERNEL_REACH = 3.0;
 const float HEAT_KERNEL_KEPT = 0.949448;
 
-// θ² = asin²(sqrt(x)) = x + x²/3 + 8 x³/45 + 4 x⁴/35 + ..., sqrt(θ / sin θ) = 1 + θ²/12 + ...
-float heatKernel(float sin2, float inverseTwiceVariance) {
-  float theta2 = sin2 * (1.0 + sin2 * (1.0 / 3.0 + sin2 * (8.0 / 45.0 + sin2 * 4.0 / 35.0)));
-  return exp(-theta2 * inverseTwiceVariance) * (1.0 + theta2 / 12.0);
+// θ² = 4 asin²(chord / 2) = c² + c⁴/12 + c⁶/90 + ..., sqrt(θ / sin θ) = exp(θ²/12 + ...).
+float heatKernel(float chord2, float inverseTwiceVariance) {
+  float theta2 = chord2 * (1.0 + chord2 * (1.0 / 12.0 + chord2 * (1.0 / 90.0)));
+  return exp(theta2 * (1.0 / 12.0 - inverseTwiceVariance));
 }
-
-float heatKernelNarrow(float sin2, float inverseTwiceVariance) { return exp(-sin2 * inverseTwiceVariance); }
 
 #endif

@@ -1,9 +1,10 @@
 // environment_step.glsl: what one step of building the Gaussian stack is told. One text for GLSL and C++.
 
 struct EnvironmentStep {
-    ivec4 sizes;  // texels along an edge of the result's and of the source's faces; width and height of the equirect picture
-    vec4 kernel;  // x: sigma (equirect) or variance (blur), y: share of a texel's area that halving added to the
-                  // variance, z: the kernel's row in the table
+    ivec4 sizes;  // texels along an edge of the result's and of the source's faces; z, w: width and height of the
+                  // equirect picture (equirect), the source's level (weigh), the kernel's row in the table (zonal)
+    vec4 kernel;  // x: the angle past which nothing is read, y: its squared chord, z: 1 / (2 variance), w: what halving has
+                  // added at each end, relative to the variance, at a face's centre (blur)
 };
 
 #ifndef __cplusplus

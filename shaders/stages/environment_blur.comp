@@ -4,75 +4,80 @@
 // per texel mends both: b(d) sum of k(d, s) b(s) area(s) = 1 [Knight08, symmetric balancing]. Three steps of
 // b = sqrt(b / sum) starting from 1 find it; a texel's weight is then area times b.
 #version 450
-#include "environment/cube.glsl"
 #include "environment/heat_kernel.glsl"
 #include "interface/environment_step.glsl"
+#include "stages/environment_balance.glsl"
+#include "stages/environment_quad.glsl"
 #include "stages/half_float.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 0) const int stage = 0;        // 0 blur, 1 first balance, 2 next balance
-layout(constant_id = 1) const bool narrow = false;  // a kernel so small that the sphere is flat within its reach
+layout(constant_id = 0) const bool balancing = false; // a step of the balance, else the blur
 
 layout(binding = 1) uniform sampler2DArray weighted; // of environment_weigh.comp
-layout(binding = 2) uniform sampler2D weights;       // one face, as all are alike: area times b
 layout(binding = 3, rgba16f) uniform writeonly imageCube result;
-layout(binding = 4, r32f) uniform writeonly image2D weightsResult;
+
+vec4 kernelOf(vec4 chord2, vec4 inverse) {
+    return vec4(heatKernel(chord2.x, inverse.x), heatKernel(chord2.y, inverse.y), heatKernel(chord2.z, inverse.z),
+                heatKernel(chord2.w, inverse.w));
+}
 
 void main() {
-    ivec3 texel = ivec3(gl_GlobalInvocationID);
+    ivec3 id = ivec3(gl_GlobalInvocationID);
+    ivec2 at = 2 * id.xy;
     int size = environmentStep.sizes.x;
-    // A face is its own mirror image both ways: a quarter of it is balanced, and kept four times.
-    int side = stage == 0 ? size : size / 2;
-    if (texel.x >= side || texel.y >= side) return;
-    vec3 d = cubeTexelDirection(texel.z, texel.x, texel.y, size);
-    CubeTexel own = cubeTexel(texel.x, texel.y, size);
+    int side = balancing ? size / 2 : size;
+    if (at.x >= side || at.y >= side) return;
+    Quad own = quad(id.z, at, size);
 
     // What halving has added varies over a face, by the area that it averaged: z³ relative to that of the texel at the
-    // face's centre. Half of it by each end keeps the kernel symmetric.
-    float wide = environmentStep.kernel.x / HEAT_KERNEL_KEPT;
-    float halving = environmentStep.kernel.y * 2.0 / float(size * size) / HEAT_KERNEL_KEPT;
-    float ownHalving = halving * own.local.z * own.local.z * own.local.z;
-    float radius = HEAT_KERNEL_REACH * sqrt(wide);
-    float cosRadius = cos(radius);
-    float sinRadius = sin(radius);
-    float limit = sinRadius * sinRadius;
+    // face's centre. Half of it by each end keeps the kernel symmetric, and 1 - a - b is taken for (1 - a)(1 - b), as both
+    // are below 0.03.
+    vec4 ownZ = quadLocal(id.z, own).z;
+    vec4 inverse = environmentStep.kernel.z / (1.0 - environmentStep.kernel.w * ownZ * ownZ * ownZ);
+    float limit = environmentStep.kernel.y;
+    // What any of the four may reach; of its sine an upper and of its cosine a lower bound.
+    float cap = environmentStep.kernel.x + own.spread;
+    float cosCap = 1.0 - 0.5 * cap * cap;
 
-    vec4 sum = vec4(0.0);
+    vec4 red = vec4(0.0);
+    vec4 green = vec4(0.0);
+    vec4 blue = vec4(0.0);
+    vec4 total = vec4(0.0);
     for (int face = 0; face < 6; face++) {
-        vec3 l = cubeLocal(face, d);
-        CubeRange range = cubeCapFace(l, cosRadius, sinRadius, size);
+        Quad local = quadLocal(face, own);
+        CubeRange range = cubeCapFace(local.centre, cosCap, cap, size);
         for (int y = range.firstY; y <= range.lastY; y++) {
             float t = cubeCoordinate(y, size);
-            float across = l.y - l.z * t;
-            for (int x = range.firstX; x <= range.lastX; x++) {
-                // sin²θ = |l x q|² with q = (s, t, 1) / r: differences of coordinates, no cosine near 1.
+            ivec2 part = cubeCapRow(local.centre, cosCap, t, size);
+            int last = min(part.y, range.lastX);
+            for (int x = max(part.x, range.firstX); x <= last; x++) {
                 float s = cubeCoordinate(x, size);
-                vec3 turned = vec3(across, l.z * s - l.x, l.x * t - l.y * s);
-                float z2 = 1.0 / (1.0 + s * s + t * t);
-                float sin2 = dot(turned, turned) * z2;
-                float inverse = 0.5 / (wide - ownHalving - halving * z2 * sqrt(z2));
-                float kernel = narrow ? heatKernelNarrow(sin2, inverse) : heatKernel(sin2, inverse);
-                kernel = sin2 > limit ? 0.0 : kernel;
-                if (stage == 0) {
-                    sum += kernel * texelFetch(weighted, ivec3(x, y, face), 0);
-                } else if (stage == 1) {
-                    sum.w += kernel * cubeTexel(x, y, size).solidAngle;
+                float z = inversesqrt(1.0 + s * s + t * t);
+                vec4 chord2 = quadChord2(local, vec3(s * z, t * z, z));
+                float added = environmentStep.kernel.w * z * z * z;
+                vec4 kernel = kernelOf(chord2, inverse * (1.0 + added + added * added));
+                kernel = mix(kernel, vec4(0.0), greaterThan(chord2, vec4(limit)));
+                if (balancing) {
+                    total += kernel * texelFetch(weights, ivec2(x, y), 0).x;
                 } else {
-                    sum.w += kernel * texelFetch(weights, ivec2(x, y), 0).x;
+                    vec4 texel = texelFetch(weighted, ivec3(x, y, face), 0);
+                    red += kernel * texel.x;
+                    green += kernel * texel.y;
+                    blue += kernel * texel.z;
+                    total += kernel * texel.w;
                 }
             }
         }
     }
-    if (stage == 0) {
-        imageStore(result, texel, vec4(roundToHalfRgb(sum.xyz / sum.w), 1.0));
-    } else {
-        float b = stage == 1 ? 1.0 : texelFetch(weights, texel.xy, 0).x / own.solidAngle;
-        vec4 weight = vec4(own.solidAngle * sqrt(b / sum.w));
-        ivec2 mirrored = ivec2(size - 1) - texel.xy;
-        imageStore(weightsResult, texel.xy, weight);
-        imageStore(weightsResult, ivec2(mirrored.x, texel.y), weight);
-        imageStore(weightsResult, ivec2(texel.x, mirrored.y), weight);
-        imageStore(weightsResult, mirrored, weight);
+    for (int k = 0; k < 4; k++) {
+        ivec2 texel = quadTexel(at, k);
+        if (balancing) {
+            float area = cubeTexelSolidAngle(texel.x, texel.y, size);
+            keepWeight(texel, size, sqrt(area * texelFetch(weights, texel, 0).x / total[k]));
+        } else {
+            vec3 mean = vec3(red[k], green[k], blue[k]) / total[k];
+            imageStore(result, ivec3(texel, id.z), vec4(roundToHalfRgb(mean), 1.0));
+        }
     }
 }

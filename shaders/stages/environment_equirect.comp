@@ -2,44 +2,46 @@
 // Why a Gaussian: point samples would lose or double a sun of one pixel. Every pixel is worth its solid angle times
 // a balance, which makes up for the crowding of pixels at the poles (app/environment/zonal.h).
 #version 450
-#include "environment/cube.glsl"
 #include "interface/environment_step.glsl"
+#include "stages/environment_quad.glsl"
 #include "stages/half_float.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 1) uniform sampler2D equirect; // rgb radiance, a: balance at the cube's corners (corner_balance.h)
-layout(binding = 2) uniform sampler2D rows; // height x 1: sine and cosine of theta, solid angle of a pixel, balanced
+// Row 0, of the picture's rows: sine and cosine of theta, solid angle of a pixel, balanced. Row 1, of its columns: cosine and sine
+// of phi. Row 2: those of the step from one column to the next (app/environment/equirect_lattice.h).
+layout(binding = 2) uniform sampler2D rows;
 layout(binding = 3, rgba16f) uniform writeonly imageCube result;
 
 const float PI = 3.14159265358979323846;
-const float REACH = 4.0; // sigma: past it 0.03 % of the kernel is cut off, the same from all sides
 
 void main() {
-    ivec3 texel = ivec3(gl_GlobalInvocationID);
+    ivec3 id = ivec3(gl_GlobalInvocationID);
+    ivec2 at = 2 * id.xy;
     int size = environmentStep.sizes.x;
     ivec2 pixels = environmentStep.sizes.zw;
-    if (texel.x >= size || texel.y >= size) return;
-    vec3 d = cubeTexelDirection(texel.z, texel.x, texel.y, size);
+    if (at.x >= size || at.y >= size) return;
+    Quad own = quad(id.z, at, size);
+    vec3 d = own.centre;
 
-    float sigma = environmentStep.kernel.x;
-    float inverse = 0.5 / (sigma * sigma);
-    float radius = REACH * sigma;
-    float sinHalf = sin(0.5 * radius);
-    float chord2Limit = 4.0 * sinHalf * sinHalf;
+    float limit = environmentStep.kernel.y;
+    float inverse = environmentStep.kernel.z;
+    // What any of the four may reach, its chord taken for as long as the angle.
+    float cap = environmentStep.kernel.x + own.spread;
     // Not acos(d.y): it keeps 3e-4 rad of the angle at the poles.
     float sinTheta = sqrt(d.x * d.x + d.z * d.z);
     float theta = atan(sinTheta, d.y);
-    float column = (atan(d.z, d.x) / (2.0 * PI) + 0.5) * float(pixels.x) - 0.5;
+    int column = int(floor((atan(d.z, d.x) / (2.0 * PI) + 0.5) * float(pixels.x)));
     float rowStep = PI / float(pixels.y);
-    float columnStep = 2.0 * PI / float(pixels.x);
-    float stepCos = cos(columnStep);
-    float stepSin = sin(columnStep);
+    vec2 turn = texelFetch(rows, ivec2(0, 2), 0).xy;
 
-    vec3 sum = vec3(0.0);
-    float total = 0.0;
-    int firstRow = max(int(ceil((theta - radius) / rowStep - 0.5)), 0);
-    int lastRow = min(int(floor((theta + radius) / rowStep - 0.5)), pixels.y - 1);
+    vec4 red = vec4(0.0);
+    vec4 green = vec4(0.0);
+    vec4 blue = vec4(0.0);
+    vec4 total = vec4(0.0);
+    int firstRow = max(int(ceil((theta - cap) / rowStep - 0.5)), 0);
+    int lastRow = min(int(floor((theta + cap) / rowStep - 0.5)), pixels.y - 1);
     for (int row = firstRow; row <= lastRow; row++) {
         vec3 ring = texelFetch(rows, ivec2(row, 0), 0).xyz;
         float rowSin = ring.x;
@@ -47,28 +49,34 @@ void main() {
         float weight = ring.z;
         vec2 across = vec2(sinTheta - rowSin, d.y - rowCos);
         // chord² = across² + 4 sin θ sin θ' sin²(Δφ/2). On the axis (sin θ = 0) every column is near enough.
-        float room = (chord2Limit - dot(across, across)) / max(4.0 * sinTheta * rowSin, 1e-20);
+        float room = (cap * cap - dot(across, across)) / max(4.0 * sinTheta * rowSin, 1e-20);
         if (room <= 0.0) continue;
-        int reach = room >= 1.0 ? pixels.x / 2 : int(ceil(2.0 * asin(sqrt(room)) / columnStep));
-        int first = int(round(column)) - reach;
+        // asin(x) <= x + (π/2 - 1) x³; one more, for the column's own half.
+        float halfAngle = sqrt(room) * (1.0 + 0.570797 * room);
+        int reach = room >= 1.0 ? pixels.x / 2 : min(int(halfAngle * float(pixels.x) / PI) + 1, pixels.x / 2);
         int count = min(2 * reach + 1, pixels.x);
-        float phi = (float(first) + 0.5) * columnStep - PI;
-        float c = cos(phi);
-        float s = sin(phi);
-        int x = first - pixels.x * int(floor(float(first) / float(pixels.x)));
+        int x = column - reach;
+        x = x < 0 ? x + pixels.x : x;
+        vec2 azimuth = texelFetch(rows, ivec2(x, 1), 0).xy;
+        float c = azimuth.x;
+        float s = azimuth.y;
         for (int k = 0; k < count; k++) {
-            vec3 apart = d - vec3(rowSin * c, rowCos, rowSin * s);
-            float chord2 = dot(apart, apart);
-            float w = chord2 > chord2Limit ? 0.0 : weight * exp(-chord2 * inverse);
+            vec4 chord2 = quadChord2(own, vec3(rowSin * c, rowCos, rowSin * s));
             vec4 pixel = texelFetch(equirect, ivec2(x, row), 0);
-            w *= pixel.w;
-            sum += w * pixel.xyz;
+            vec4 w = weight * pixel.w * exp(-chord2 * inverse);
+            w = mix(w, vec4(0.0), greaterThan(chord2, vec4(limit)));
+            red += w * pixel.x;
+            green += w * pixel.y;
+            blue += w * pixel.z;
             total += w;
-            float turned = c * stepCos - s * stepSin;
-            s = s * stepCos + c * stepSin;
+            float turned = c * turn.x - s * turn.y;
+            s = s * turn.x + c * turn.y;
             c = turned;
             x = x + 1 == pixels.x ? 0 : x + 1;
         }
     }
-    imageStore(result, texel, vec4(roundToHalfRgb(sum / total), 1.0));
+    for (int k = 0; k < 4; k++) {
+        vec3 mean = vec3(red[k], green[k], blue[k]) / total[k];
+        imageStore(result, ivec3(quadTexel(at, k), id.z), vec4(roundToHalfRgb(mean), 1.0));
+    }
 }

@@ -7,8 +7,6 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 0) const bool halving = true;
-
 layout(binding = 1) uniform sampler2DArray source;
 layout(binding = 2) uniform sampler2D weights; // one face: all are alike
 layout(binding = 3, rgba32f) uniform writeonly imageCube weighted;
@@ -17,19 +15,17 @@ void main() {
     ivec3 texel = ivec3(gl_GlobalInvocationID);
     int size = environmentStep.sizes.x;
     if (texel.x >= size || texel.y >= size) return;
+    int perEdge = environmentStep.sizes.y / size; // 2, or 1 where nothing is halved
     vec3 radiance = vec3(0.0);
-    if (halving) {
-        float total = 0.0;
-        for (int k = 0; k < 4; k++) {
-            ivec2 at = 2 * texel.xy + ivec2(k & 1, k >> 1);
-            float area = cubeTexel(at.x, at.y, 2 * size).solidAngle;
-            radiance += area * texelFetch(source, ivec3(at, texel.z), 0).xyz;
+    float total = 0.0;
+    for (int y = 0; y < perEdge; y++) {
+        for (int x = 0; x < perEdge; x++) {
+            ivec2 at = perEdge * texel.xy + ivec2(x, y);
+            float area = cubeTexelSolidAngle(at.x, at.y, environmentStep.sizes.y);
+            radiance += area * texelFetch(source, ivec3(at, texel.z), environmentStep.sizes.z).xyz;
             total += area;
         }
-        radiance /= total;
-    } else {
-        radiance = texelFetch(source, texel, 0).xyz;
     }
     float weight = texelFetch(weights, texel.xy, 0).x;
-    imageStore(weighted, texel, vec4(weight * radiance, weight));
+    imageStore(weighted, texel, vec4(weight / total * radiance, weight));
 }

@@ -8,7 +8,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <map>
 #include <numbers>
+#include <string>
 
 namespace gg::environment {
 namespace {
@@ -41,7 +44,6 @@ double brute_force(const Stack& stack, std::vector<CubeLevel>& results) {
   };
   const auto point = device().create(
       gpu::SamplerDesc{.magnify = gpu::Filter::nearest, .minify = gpu::Filter::nearest});
-  const auto linear = device().create(gpu::SamplerDesc{});
   const auto pipeline =
       device().create(gpu::ComputeDesc{"brute force", "environment_zonal.comp", {}});
   const std::vector<Level> all = levels(stack);
@@ -60,8 +62,10 @@ double brute_force(const Stack& stack, std::vector<CubeLevel>& results) {
     return texture;
   };
   const auto table = plane(samples, static_cast<int>(all.size()) - 1, kernels);
-  const auto ones =
-      plane(face, face, std::vector<float>(static_cast<std::size_t>(face * face), 1.0f));
+  std::vector<float> solid_angles;
+  for (int i = 0; i < face * face; ++i)
+    solid_angles.push_back(static_cast<float>(texel_solid_angle(i % face, i / face, face)));
+  const auto areas = plane(face, face, solid_angles);
   std::vector<gpu::Pass> passes;
   std::vector<gpu::TextureRef> cubes;
   for (std::size_t i = 1; i < all.size(); ++i) {
@@ -79,15 +83,16 @@ double brute_force(const Stack& stack, std::vector<CubeLevel>& results) {
     const gpu::View source{.texture = stack.even, .layer_count = 6},
         target{.texture = cubes.back(), .layer_count = 6};
     passes.push_back({.label = "brute force",
-                      .reads = {source, gpu::whole(table), gpu::whole(ones)},
+                      .reads = {source, gpu::whole(table), gpu::whole(areas)},
                       .storage = {target},
                       .record = [=](gpu::Encoder& encoder) {
-                        const auto groups = static_cast<std::uint32_t>((size + 3) / 4);
+                        const auto groups = static_cast<std::uint32_t>(
+                            (size + 7) / 8); // 4 x 4 invocations of 2 x 2 texels
                         encoder.use(pipeline);
                         encoder.buffer("Step", block);
                         encoder.texture("source", source, point);
-                        encoder.texture("kernels", gpu::whole(table), linear);
-                        encoder.texture("columns", gpu::whole(ones), point);
+                        encoder.texture("kernels", gpu::whole(table), point);
+                        encoder.texture("weights", gpu::whole(areas), point);
                         encoder.image("result", target);
                         encoder.dispatch(groups, groups, 6);
                       }});
@@ -100,6 +105,33 @@ double brute_force(const Stack& stack, std::vector<CubeLevel>& results) {
   for (const gpu::TextureRef& cube : cubes)
     results.push_back(read(*cube, 0, stack.unit));
   return seconds;
+}
+
+// The first stack of a process, as `capture` waits for it: shaders are compiled in it. Then once more, without that, and the device's share by step.
+TEST(bench, a_1k_map_is_ready) {
+  const auto since = [](Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  };
+  gpu::Device& made = device();
+  auto start = Clock::now();
+  const Map map = load(std::filesystem::path(GROUNDGLASS_SOURCE_DIR)
+                       / "assets/environments/studio_small_03_1k.hdr");
+  std::printf("    reading the file    %6.0f ms\n", since(start));
+  for (const char* which : {"first in a process", "again"}) {
+    start = Clock::now();
+    const Stack stack = build(made, map);
+    made.finish();
+    std::printf("    %-19s %6.0f ms\n", which, since(start));
+  }
+  std::vector<gpu::PassTime> times;
+  build(made, map, &times);
+  for (const gpu::PassTime& time : times)
+    std::printf("%s %.1f\n", time.label.c_str(), time.ms);
+  std::map<std::string, double> steps;
+  for (const gpu::PassTime& time : times)
+    steps[time.label] += time.ms;
+  for (const auto& [label, ms] : steps)
+    std::printf("    %-19s %6.0f ms on the device\n", label.c_str(), ms);
 }
 
 TEST(bench, stack_against_brute_force) {
