@@ -37,25 +37,50 @@ Backdrop::Backdrop(gpu::Device& device, int width, int height)
                                             .vertex = "fullscreen.vert",
                                             .fragment = "backdrop.frag",
                                             .colors = {gpu::Format::rgba32f, gpu::Format::r32f}})),
+      copy_color_(device.create(gpu::PipelineDesc{.label = "backdrop color",
+                                                  .vertex = "fullscreen.vert",
+                                                  .fragment = "backdrop.frag",
+                                                  .constants = {gpu::constant(0, false)},
+                                                  .colors = {gpu::Format::rgba32f}})),
       halve_(device.create(gpu::PipelineDesc{.label = "pyramid",
                                              .vertex = "fullscreen.vert",
                                              .fragment = "pyramid.frag",
                                              .colors = {gpu::Format::rgba32f}})) {}
 
 void Backdrop::add_passes(std::vector<gpu::Pass>& passes, const gpu::TextureRef& color,
-                          const gpu::TextureRef& depth, const UniformArray& layers,
-                          std::size_t i) const {
+                          const gpu::TextureRef& depth, bool with_depth, Draws& draws,
+                          const std::vector<const Draw*>& foreground,
+                          const std::function<void(gpu::Encoder&)>& begin) const {
   const auto level = [this](int l) { return gpu::View{pyramid_, l, 1, 0, 1}; };
+  std::vector<gpu::ColorTarget> targets{{.view = level(0)}};
+  if (with_depth) targets.push_back({.view = gpu::whole(depth_)});
   passes.push_back({.label = "backdrop",
-                    .colors = {{.view = level(0)}, {.view = gpu::whole(depth_)}},
+                    .colors = targets,
                     .reads = {gpu::whole(color), gpu::whole(depth)},
-                    .record = [this, color, depth, layers, i](gpu::Encoder& encoder) {
-                      encoder.use(copy_);
-                      encoder.buffer("Layer", layers.buffer, layers.offset(i), layers.size);
+                    .record = [this, color, depth, with_depth](gpu::Encoder& encoder) {
+                      encoder.use(with_depth ? copy_ : copy_color_);
                       encoder.texture("sceneColor", gpu::whole(color), nearest_);
                       encoder.texture("sceneDepth", gpu::whole(depth), nearest_);
                       encoder.draw(3);
                     }});
+  if (!foreground.empty()) {
+    const DrawPass pass{.label = "foreground",
+                        .fragment = "foreground.frag",
+                        .colors = {gpu::Format::rgba32f},
+                        .depth_write = false};
+    std::vector<gpu::PipelineRef> pipelines;
+    for (const Draw* draw : foreground)
+      pipelines.push_back(draws.pipeline(pass, *draw));
+    passes.push_back({.label = "foreground",
+                      .colors = {{.view = level(0)}},
+                      .depth = gpu::DepthTarget{.view = gpu::whole(depth)},
+                      .reads = draws.sampled(),
+                      .record = [=, &draws](gpu::Encoder& encoder) {
+                        begin(encoder);
+                        for (std::size_t i = 0; i < foreground.size(); ++i)
+                          draws.record(encoder, pipelines[i], *foreground[i]);
+                      }});
+  }
   for (int l = 1; l <= last_level(); ++l)
     passes.push_back({.label = "pyramid",
                       .colors = {{.view = level(l)}},

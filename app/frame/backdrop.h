@@ -1,9 +1,10 @@
 // The picture behind a layer of glass, for its lookups: the screen pyramid (shaders/refraction/screen_pyramid.glsl) and depth.
 #pragma once
 
-#include "frame/uniform_array.h"
+#include "frame/draws.h"
 #include "gpu/device.h"
 
+#include <functional>
 #include <vector>
 
 namespace gg::frame {
@@ -12,9 +13,13 @@ class Backdrop {
 public:
   Backdrop(gpu::Device& device, int width, int height);
 
-  // Passes that fill it from the frame as it is when they run. `layers`: LayerData, of which element i is the layer's.
+  // Adds the passes that fill it from the frame as it is when they run. What `foreground` draws is
+  // cut out; `begin` binds what all draws of the frame share. Depth is taken once, while it is that
+  // of opaque surfaces: rays pass other glass, and what they meet behind it shows its colour.
   void add_passes(std::vector<gpu::Pass>& passes, const gpu::TextureRef& color,
-                  const gpu::TextureRef& depth, const UniformArray& layers, std::size_t i) const;
+                  const gpu::TextureRef& depth, bool with_depth, Draws& draws,
+                  const std::vector<const Draw*>& foreground,
+                  const std::function<void(gpu::Encoder&)>& begin) const;
 
   // Binds it for stages/surroundings.glsl.
   void bind(gpu::Encoder& encoder) const;
@@ -24,7 +29,7 @@ public:
 private:
   gpu::TextureRef pyramid_, depth_;
   gpu::SamplerRef linear_, nearest_;
-  gpu::PipelineRef copy_, halve_;
+  gpu::PipelineRef copy_, copy_color_, halve_;
 };
 
 } // namespace gg::frame

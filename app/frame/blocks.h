@@ -13,7 +13,6 @@ using glm::vec4;
 
 #include "../../shaders/interface/frame.glsl"
 #include "../../shaders/interface/instance.glsl"
-#include "../../shaders/interface/layer.glsl"
 #include "../../shaders/interface/lights.glsl"
 #include "../../shaders/interface/material.glsl"
 

@@ -68,6 +68,18 @@ scene::Bounds world_bounds(const scene::Bounds& bounds, const glm::mat4& world) 
   return result;
 }
 
+// Whether something opaque reaches into the box around a solid. What stands on the floor touches it:
+// a thousandth of the solid's size does not count.
+bool holds_opaque(const Draw& solid, const std::vector<Draw>& draws) {
+  if (!(solid.material->thickness > 0.0f)) return false;
+  const glm::vec3 least(1e-3f * solid.bounds.radius());
+  return std::ranges::any_of(draws, [&](const Draw& other) {
+    return other.role == Role::opaque
+           && glm::all(glm::greaterThan(other.bounds.high, solid.bounds.low + least))
+           && glm::all(glm::lessThan(other.bounds.low, solid.bounds.high - least));
+  });
+}
+
 Role role_of(const scene::Material& material) {
   if (is_refractive(material)) return Role::refractive;
   return material.alpha_mode == scene::AlphaMode::blend ? Role::blended : Role::opaque;
@@ -122,6 +134,9 @@ Draws::Draws(gpu::Device& device, const UploadedScene& uploaded, const tables::D
       draws_.push_back(std::move(draw));
     }
   }
+  for (Draw& draw : draws_)
+    if (draw.role == Role::refractive)
+      draw.key[static_cast<std::size_t>(Feature::holds_opaque)] = holds_opaque(draw, draws_);
   for (const tables::ModelTables& model : tables.of_model)
     for (const gpu::TextureRef& table :
          {model.energy, model.lobe, model.interface_energy, model.interface_lobes})

@@ -64,6 +64,7 @@ enum class Feature : std::uint32_t {
   dispersion,
   index_one,
   attenuation,
+  holds_opaque,
   count
 };
 enum class Shading { unlit, dielectric, metal, mixed, conductor };

@@ -20,6 +20,7 @@ void grow(ScreenBox& box, const ScreenBox& other) {
   box.low = glm::min(box.low, other.low);
   box.high = glm::max(box.high, other.high);
   box.nearest_depth = std::max(box.nearest_depth, other.nearest_depth);
+  box.farthest_depth = std::min(box.farthest_depth, other.farthest_depth);
 }
 
 std::vector<Item> items_of(const std::vector<Draw>& draws, const glm::dmat4& clip_from_world) {
@@ -50,6 +51,15 @@ std::vector<Item> items_of(const std::vector<Draw>& draws, const glm::dmat4& cli
   return items;
 }
 
+// The blur of what is seen through glass reaches beyond its outline, by as much as its own size at most times.
+bool stands_before(const ScreenBox& thing, const ScreenBox& glass) {
+  ScreenBox around = glass;
+  const glm::dvec2 size = glass.high - glass.low;
+  around.low -= size;
+  around.high += size;
+  return thing.farthest_depth > glass.nearest_depth && thing.overlaps(around);
+}
+
 } // namespace
 
 bool ScreenBox::overlaps(const ScreenBox& other) const {
@@ -58,7 +68,7 @@ bool ScreenBox::overlaps(const ScreenBox& other) const {
 }
 
 ScreenBox screen_box(const scene::Bounds& bounds, const glm::dmat4& clip_from_world) {
-  ScreenBox box{glm::dvec2(1.0), glm::dvec2(-1.0), 0.0};
+  ScreenBox box{glm::dvec2(1.0), glm::dvec2(-1.0), 0.0, 1.0};
   for (unsigned corner = 0; corner < 8; ++corner) {
     const glm::dvec4 clip = clip_from_world
                             * glm::dvec4(corner & 1u ? bounds.high.x : bounds.low.x,
@@ -69,6 +79,7 @@ ScreenBox screen_box(const scene::Bounds& bounds, const glm::dmat4& clip_from_wo
     box.low = glm::min(box.low, at);
     box.high = glm::max(box.high, at);
     box.nearest_depth = std::max(box.nearest_depth, clip.z / clip.w);
+    box.farthest_depth = std::min(box.farthest_depth, clip.z / clip.w);
   }
   return box;
 }
@@ -91,7 +102,12 @@ std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& c
     Layer& layer = layers[at[i]];
     std::vector<LayerDraw>& list = items[i].blended ? layer.blended : layer.refractive;
     list.insert(list.end(), items[i].draws.begin(), items[i].draws.end());
-    layer.nearest_depth = std::max(layer.nearest_depth, items[i].box.nearest_depth);
+    if (items[i].blended) continue;
+    for (const Draw& draw : draws)
+      if (draw.role == Role::opaque
+          && stands_before(screen_box(draw.bounds, clip_from_world), items[i].box)
+          && std::ranges::find(layer.foreground, &draw) == layer.foreground.end())
+        layer.foreground.push_back(&draw);
   }
   return layers;
 }

@@ -20,7 +20,8 @@ struct LayerDraw {
 // Surfaces that are drawn with one picture of what is behind them.
 struct Layer {
   std::vector<LayerDraw> refractive, blended;
-  double nearest_depth = 0.0; // device depth (1 near, 0 far) of the nearest point of its bounds
+  std::vector<const Draw*>
+      foreground; // opaque draws that stand wholly in front of it and overlap it
 };
 
 // Refractive and blended draws by layer, the farthest first. The parts of a solid (one instance, one
@@ -34,7 +35,7 @@ std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& c
 // the camera.
 struct ScreenBox {
   glm::dvec2 low{-1.0}, high{1.0};
-  double nearest_depth = 1.0; // device depth
+  double nearest_depth = 1.0, farthest_depth = 0.0; // device depth, 1 near
   bool overlaps(const ScreenBox& other) const;
 };
 ScreenBox screen_box(const scene::Bounds& bounds, const glm::dmat4& clip_from_world);

@@ -22,6 +22,14 @@ constexpr std::size_t most_layers = 8;
 // Front and back faces that the search for a ray's exit sees behind each other.
 constexpr int interior_pairs = 2;
 
+// Whether a thing's reflection shows what stands about it: metals, and what is glossy. A rough
+// dielectric reflects 4 % of a blur of half the world: its error without is below that.
+bool reflects_company(const Draw& draw) {
+  const scene::Material& m = *draw.material;
+  if (m.unlit) return false;
+  return m.conductor || m.metallic > 0.0f || scene::microfacet_alpha(m) < 0.25f;
+}
+
 // The search for the exit follows rays in layers of the solid's faces. What bends nothing needs to
 // know how thick it is if it absorbs; peers' method takes the material's word for it.
 bool has_interior(const Draw& draw) {
@@ -37,8 +45,8 @@ Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDe
       nearest_(device.create(
           gpu::SamplerDesc{.magnify = gpu::Filter::nearest, .minify = gpu::Filter::nearest})) {
   make_targets();
-  make_frame_blocks();
   make_layers();
+  make_frame_blocks();
   make_passes();
 }
 
@@ -97,7 +105,8 @@ void Renderer::make_frame_blocks() {
                      desc_.environment.intensity, 0.0f};
     if (desc_.environment.stack) f.stack = desc_.environment.stack->shape;
     f.picture = {desc_.width, desc_.height,
-                 0.5 * clip_from_view(camera, aspect)[1][1] * desc_.height, 0.0f};
+                 0.5 * clip_from_view(camera, aspect)[1][1] * desc_.height,
+                 backdrop_ ? backdrop_->last_level() : 0};
     f.boundsLow = vec4(uploaded_.scene().bounds.low, 0.0f);
     f.boundsHigh = vec4(uploaded_.scene().bounds.high, 0.0f);
     f.counts = {static_cast<int>(uploaded_.scene().lights.size()), 0, 0, 0};
@@ -135,24 +144,36 @@ Renderer::Recorded Renderer::recorded(const DrawPass& pass, const LayerDraw& dra
 }
 
 void Renderer::make_layers() {
+  const bool company =
+      desc_.environment.stack && draws_.all().size() > 1 && desc_.method != Method::standard;
   const DrawPass opaque{.label = "opaque", .fragment = "opaque.frag", .colors = {color_format}};
   const DrawPass blended{.label = "blended",
                          .fragment = "opaque.frag",
                          .colors = {color_format},
                          .depth_write = false,
                          .blend = gpu::Blend::over};
-  const DrawPass refractive{.label = "refractive",
-                            .fragment = "refractive.frag",
+  const DrawPass refractive{
+      .label = "refractive",
+      .fragment = "refractive.frag",
+      .colors = {color_format},
+      .blend = gpu::Blend::over,
+      .constants = {gpu::constant(40, interior_pairs), gpu::constant(41, company)}};
+  // Once more over the opaque picture, which shows what there is to reflect.
+  const DrawPass reflective{.label = "reflective",
+                            .fragment = "opaque.frag",
                             .colors = {color_format},
-                            .blend = gpu::Blend::over,
-                            .constants = {gpu::constant(40, interior_pairs)}};
-  for (const Draw* draw : draws_.of(Role::opaque))
+                            .depth_write = false,
+                            .constants = {gpu::constant(41, true)}};
+  for (const Draw* draw : draws_.of(Role::opaque)) {
     opaque_.push_back(recorded(opaque, {draw, Faces::as_material}));
+    if (company && reflects_company(*draw))
+      reflective_.push_back(recorded(reflective, {draw, Faces::as_material}));
+  }
+  if (!reflective_.empty()) backdrop_.emplace(device_, desc_.width, desc_.height);
 
   const double aspect = static_cast<double>(desc_.width) / desc_.height;
   const glm::dmat4 clip_from_world =
       clip_from_view(desc_.camera, aspect) * view_from_world(desc_.camera);
-  std::vector<LayerData> blocks;
   for (const Layer& layer : layers_of(draws_.all(), clip_from_world, most_layers)) {
     if (!layer.refractive.empty() && !backdrop_)
       backdrop_.emplace(device_, desc_.width, desc_.height);
@@ -164,6 +185,7 @@ void Renderer::make_layers() {
     }
     GlassLayer& made = layers_.emplace_back();
     made.refracts = !layer.refractive.empty();
+    made.foreground = layer.foreground;
     for (const LayerDraw& draw : layer.refractive)
       if (has_interior(*draw.draw)) made.solids.push_back(draw.draw);
     if (!made.solids.empty() && !interior_)
@@ -172,10 +194,7 @@ void Renderer::make_layers() {
       made.draws.push_back(recorded(refractive, draw));
     for (const LayerDraw& draw : layer.blended)
       made.draws.push_back(recorded(blended, draw));
-    const int last_level = backdrop_ ? backdrop_->last_level() : 0;
-    blocks.push_back({{layer.nearest_depth, last_level, 0.0f, 0.0f}});
   }
-  layer_blocks_ = upload_uniforms(device_, "layers", blocks);
 }
 
 void Renderer::begin(gpu::Encoder& encoder, int sample) const {
@@ -200,6 +219,22 @@ gpu::Pass Renderer::opaque_pass(int sample) const {
           }};
 }
 
+gpu::Pass Renderer::reflective_pass(int sample) const {
+  gpu::Pass pass{.label = "reflective",
+                 .colors = {{.view = gpu::whole(color_)}},
+                 .depth = gpu::DepthTarget{.view = gpu::whole(depth_)},
+                 .reads = sampled(),
+                 .record = [this, sample](gpu::Encoder& encoder) {
+                   begin(encoder, sample);
+                   backdrop_->bind(encoder);
+                   for (const auto& [draw, pipeline, cull] : reflective_)
+                     draws_.record(encoder, pipeline, *draw, cull);
+                 }};
+  for (const gpu::View& view : backdrop_->sampled())
+    pass.reads.push_back(view);
+  return pass;
+}
+
 gpu::Pass Renderer::layer_pass(int sample, std::size_t i) const {
   const GlassLayer& layer = layers_[i];
   gpu::Pass pass{.label = layer.refracts ? "refractive" : "blended",
@@ -213,7 +248,6 @@ gpu::Pass Renderer::layer_pass(int sample, std::size_t i) const {
   pass.record = [this, sample, i](gpu::Encoder& encoder) {
     begin(encoder, sample);
     if (layers_[i].refracts) {
-      encoder.buffer("Layer", layer_blocks_.buffer, layer_blocks_.offset(i), layer_blocks_.size);
       backdrop_->bind(encoder);
     }
     if (!layers_[i].solids.empty()) interior_->bind(encoder);
@@ -242,11 +276,17 @@ void Renderer::make_passes() {
   for (int i = 0; i < desc_.samples; ++i) {
     std::vector<gpu::Pass>& passes = passes_.emplace_back();
     passes.push_back(opaque_pass(i));
+    const auto bind = [this, i](gpu::Encoder& encoder) { begin(encoder, i); };
+    if (!reflective_.empty()) {
+      backdrop_->add_passes(passes, color_, depth_, true, draws_, {}, bind);
+      passes.push_back(reflective_pass(i));
+    }
     for (std::size_t l = 0; l < layers_.size(); ++l) {
-      if (layers_[l].refracts) backdrop_->add_passes(passes, color_, depth_, layer_blocks_, l);
+      if (layers_[l].refracts)
+        backdrop_->add_passes(passes, color_, depth_, l == 0 && reflective_.empty(), draws_,
+                              layers_[l].foreground, bind);
       if (!layers_[l].solids.empty())
-        interior_->add_passes(passes, draws_, layers_[l].solids, interior_pairs,
-                              [this, i](gpu::Encoder& encoder) { begin(encoder, i); });
+        interior_->add_passes(passes, draws_, layers_[l].solids, interior_pairs, bind);
       passes.push_back(layer_pass(i, l));
     }
     if (desc_.samples > 1) {

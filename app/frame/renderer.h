@@ -65,9 +65,10 @@ private:
     gpu::Cull cull;
   };
   struct GlassLayer {
-    std::vector<Recorded> draws;     // in the order in which they are drawn
-    std::vector<const Draw*> solids; // whose insides rays are followed through
-    bool refracts;                   // needs the picture of what is behind it
+    std::vector<Recorded> draws;         // in the order in which they are drawn
+    std::vector<const Draw*> solids;     // whose insides rays are followed through
+    std::vector<const Draw*> foreground; // cut out of the picture behind
+    bool refracts = false;               // needs the picture of what is behind it
   };
   tables::DeviceTables wanted_tables() const; // of the models that the scene's materials use
   FrameFeatures features() const;
@@ -78,6 +79,7 @@ private:
   Recorded recorded(const DrawPass& pass, const LayerDraw& draw);
   void begin(gpu::Encoder& encoder, int sample) const; // binds what every draw reads
   gpu::Pass opaque_pass(int sample) const;
+  gpu::Pass reflective_pass(int sample) const;
   gpu::Pass layer_pass(int sample, std::size_t layer) const;
   std::vector<gpu::View> sampled() const; // every texture that the draws read
   void bind_environment(gpu::Encoder& encoder) const;
@@ -93,11 +95,11 @@ private:
   gpu::SamplerRef nearest_;
   gpu::PipelineRef sky_, accumulate_;
   std::vector<Recorded> opaque_;
+  std::vector<Recorded> reflective_;  // opaque draws whose reflections show the picture
   std::vector<Recorded> over_opaque_; // blended surfaces with no glass behind them
   std::vector<GlassLayer> layers_;    // the farthest first
   std::optional<Backdrop> backdrop_;
   std::optional<Interior> interior_;
-  UniformArray layer_blocks_;
   std::vector<std::vector<gpu::Pass>> passes_; // by sample
 };
 

@@ -8,7 +8,8 @@ struct FrameData {
     vec4 viewDirection; // xyz: unit, where an orthographic camera looks
     vec4 environment;   // x, y: cosine and sine of its rotation about +Y; z: intensity
     vec4 stack;         // the Gaussian stack's shape (environment/gaussian_stack.glsl)
-    vec4 picture;       // x, y: its size in pixels; z: focal length in pixels, pixels per metre if orthographic
+    vec4 picture;       // x, y: its size in pixels; z: focal length in pixels, pixels per metre if orthographic;
+                        // w: last level of the screen pyramid
     vec4 boundsLow;     // xyz: the box that holds the scene, metres
     vec4 boundsHigh;
     ivec4 counts;       // x: punctual lights

@@ -1,6 +1,6 @@
 // environment_light.glsl: what a surface makes of light from all around, by one lookup of the Gaussian stack and one of the
 // irradiance. Reflection: energy times the stack in the lobe's direction at its width. Diffuse: glTF's base under it.
-// Needs    stages/reflectance.glsl, stages/environment.glsl.
+// Needs    stages/reflectance.glsl, stages/surroundings.glsl.
 // Source   DESIGN.md, "The idea"; environment/lobe_table.glsl; [KullaConty17] for --multiscatter.
 #include "environment/lobe_table_fetch.glsl"
 
@@ -31,6 +31,24 @@ vec3 multiplyScattered(Surface s, float albedo, vec3 meanFresnel) {
     return metal * (1.0 - albedo) * multipleFresnelRgb(meanFresnel, meanAlbedo(s.alpha));
 }
 
+// What arrives along a tap of the reflection: with company, what the picture shows where the tap meets it.
+vec3 reflectedRadiance(Surface s, LobeTap tap) {
+    if (!looksAround) return farRadiance(tap.direction, tap.sigma);
+    Beam beam;
+    beam.origin = s.position;
+    beam.direction = tap.direction;
+    beam.sigma = tap.sigma;
+    beam.inner = 0.0;
+    beam.carried = 0.0;
+    beam.inside = 0.0;
+    // An opaque surface stands in the depth that is searched: begin two of its pixels off it.
+    if (transmission == 0) {
+        float pixel = frame.eye.w > 0.0 ? length(s.position - frame.eye.xyz) / frame.picture.z : 1.0 / frame.picture.z;
+        beam.origin += 2.0 * pixel * (s.n + tap.direction);
+    }
+    return beamRadiance(beam, meetBackdrop(beam.origin, tap.direction, transmission > 0));
+}
+
 vec3 environmentLight(Surface s) {
     float cosO = dot(s.n, s.wo);
     LobeEnergy energy = fetchLobeEnergy(energyTable, cosO, s.alpha);
@@ -39,8 +57,7 @@ vec3 environmentLight(Surface s) {
     LobeTap tap;
     if (method == 0) tap = fetchStandardTap(lobeTable, s.wo, s.n, s.alpha);
     else tap = fetchLobeTap(lobeTable, s.wo, s.n, s.alpha, edgeShare(meanOf(materialFresnel(s, 1.0)), meanOf(reflectance)));
-    vec3 radiance = energy.albedo * reflectance *
-                    environmentRadiance(stackEven, stackOdd, frame.stack, inEnvironment(tap.direction), tap.sigma);
+    vec3 radiance = energy.albedo * reflectance * reflectedRadiance(s, tap);
 
     bool hasBase = shading == 1 || shading == 3;
     if (hasBase || multipleScattering) {
@@ -51,9 +68,9 @@ vec3 environmentLight(Surface s) {
             float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
             float base = shading == 3 ? 1.0 - s.metallic : 1.0;
             if (transmission > 0) base *= 1.0 - s.transmission;
-            radiance += base * under * s.baseColor * around;
+            radiance += base * under * s.baseColor * frame.environment.z * around;
         }
-        if (multipleScattering) radiance += multiplyScattered(s, energy.albedo, reflectance) * around;
+        if (multipleScattering) radiance += multiplyScattered(s, energy.albedo, reflectance) * frame.environment.z * around;
     }
-    return s.occlusion * frame.environment.z * radiance;
+    return s.occlusion * radiance;
 }

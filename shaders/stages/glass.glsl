@@ -13,8 +13,7 @@ layout(binding = 23) uniform sampler3D interfaceLobeTable;
 layout(binding = 26) uniform usampler2DArray interior; // stages/interior.frag
 
 layout(constant_id = 40) const int interiorPairs = 1; // of front and back faces
-layout(constant_id = 41) const int mostBounces = 2;   // total reflections that are followed
-layout(constant_id = 42) const bool holdsOpaque = false; // something opaque may stand inside
+layout(constant_id = 42) const int mostBounces = 2;   // total reflections that are followed
 
 // What the beams of one pixel have in common.
 struct Ending {
@@ -23,7 +22,7 @@ struct Ending {
     float inside; // metres
 };
 
-const float LEFT_OVER_SIGMA = 1.0; // radians: light that has lost its way
+const float LEFT_OVER_SIGMA = 0.5; // radians: light that has lost its way
 
 // Taps that a table of this method has, for a lobe that is composed of two.
 int tapCount() { return method >= 2 && method <= 4 ? method : 1; }
@@ -81,13 +80,13 @@ vec3 throughExit(InnerTap core, InnerTap tail, ExitSurface leaving, vec3 point, 
     if (entryTaps() == 1) {
         ComposedTap tap = fetchComposed(interfaceEnergyTable, interfaceLobeTable, core, leaving, k);
         if (!(tap.weight > 0.0)) return vec3(0.0);
-        return tap.weight * beamRadiance(beamOf(tap, point, path), meetBackdrop(point, tap.direction));
+        return tap.weight * beamRadiance(beamOf(tap, point, path), meetBackdrop(point, tap.direction, true));
     }
     vec3 apart = tail.direction - core.direction;
     ComposedPair pair = fetchComposedPair(interfaceEnergyTable, interfaceLobeTable, core, leaving, tail,
                                           exitBeside(leaving, core.direction, apart), k);
     if (!(pair.core.weight + pair.rest.weight > 0.0)) return vec3(0.0);
-    Meeting meeting = meetBackdrop(point, pair.core.weight > 0.0 ? pair.core.direction : pair.rest.direction);
+    Meeting meeting = meetBackdrop(point, pair.core.weight > 0.0 ? pair.core.direction : pair.rest.direction, true);
     vec3 sum = vec3(0.0);
     if (pair.core.weight > 0.0) sum += pair.core.weight * beamRadiance(beamOf(pair.core, point, path), meeting);
     if (pair.rest.weight > 0.0) {
@@ -106,7 +105,7 @@ InteriorView interiorCamera() { return interiorView(frame.clipFromWorld, frame.w
 float reflectedSpread(float sigma, ExitSurface s, float cosTheta, float shape) {
     float curved = abs(1.0 - 2.0 * s.turn.x) * abs(1.0 - 2.0 * s.turn.y * cosTheta);
     float facets = 2.0 * cosTheta * s.alpha / shape;
-    return min(sqrt(sigma * sigma * curved + facets * facets), LEFT_OVER_SIGMA);
+    return min(sqrt(sigma * sigma * curved + facets * facets), 1.0);
 }
 
 // Radiance through a solid, tint apart: nothing where the surface lets nothing in.
@@ -129,7 +128,7 @@ vec3 throughSolid(Surface s, float ior) {
     for (int bounce = 0; bounce <= mostBounces; ++bounce) {
         ExitHit hit = findExit(interior, view, interiorPairs, id, point, ray.direction, guess, bounce > 0);
         if (holdsOpaque) {
-            Meeting within = meetBackdrop(point, ray.direction);
+            Meeting within = meetBackdrop(point, ray.direction, true);
             if (within.seen && within.distance >= 0.0 && (within.distance < hit.distance || !(hit.found > 0.0))) {
                 Beam beam;
                 beam.origin = point;
@@ -164,16 +163,18 @@ vec3 throughSolid(Surface s, float ior) {
             ComposedTap tap = fetchComposedTap(interfaceLobeTable, 0, entryTaps(), ray, seen, leaving, through);
             tap.weight = ray.weight * through; // the core stands for its tail
             if (tap.weight > 0.0)
-                light += absorption * tap.weight * beamRadiance(beamOf(tap, point, path), meetBackdrop(point, tap.direction));
+                light += absorption * tap.weight * beamRadiance(beamOf(tap, point, path), meetBackdrop(point, tap.direction, true));
         }
         left = thrownBack;
         // Followed where most of the light is: beyond the critical angle.
-        if (thrownBack < 0.5 * ray.weight) break;
+        bool mostly = thrownBack > 0.5 * ray.weight;
         ray.sigma = reflectedSpread(ray.sigma, leaving, seen.cosTheta, k.shape);
         ray.direction = reflect(ray.direction, leaving.n);
         ray.weight = thrownBack;
+        if (!mostly) break;
     }
-    if (left > 0.0) light += left * absorbed(path) * farRadiance(ray.direction, LEFT_OVER_SIGMA);
+    // What is left runs about as far again before it finds a way out.
+    if (left > 0.0) light += left * absorbed(2.0 * path) * farRadiance(ray.direction, max(ray.sigma, LEFT_OVER_SIGMA));
     return light;
 }
 
@@ -194,7 +195,7 @@ vec3 outOfSolid(Surface s, float ior) {
     Meeting meeting;
     for (int k = 0; k < entryTaps(); ++k) {
         InnerTap tap = fetchInnerTap(interfaceLobeTable, k, entryTaps(), s.wo, s.n, s.alpha, eta, left);
-        if (k == 0) meeting = meetBackdrop(s.position, tap.direction);
+        if (k == 0) meeting = meetBackdrop(s.position, tap.direction, true);
         Beam beam;
         beam.origin = s.position;
         beam.direction = tap.direction;
@@ -217,7 +218,7 @@ vec3 throughStandard(Surface s, float ior) {
     vec4 clip = frame.clipFromWorld * vec4(s.position + ray, 1.0);
     if (!(clip.w > 0.0)) return vec3(0.0);
     float level = log2(frame.picture.x) * sqrt(s.alpha) * clamp(2.0 * ior - 2.0, 0.0, 1.0);
-    vec4 seen = textureLod(screenPyramid, pixelOf(clip) / frame.picture.xy, min(level, layer.backdrop.y));
+    vec4 seen = textureLod(screenPyramid, pixelOf(clip) / frame.picture.xy, min(level, frame.picture.w));
     vec3 light = seen.w > 0.0 ? seen.xyz / seen.w : vec3(0.0);
     return fresnelTransmittedAt(dot(s.n, s.wo), ior) * absorbed(length(ray)) * light;
 }

@@ -27,3 +27,5 @@ layout(constant_id = 21) const int thicknessMapUv = 0;
 layout(constant_id = 22) const bool disperses = false;
 layout(constant_id = 23) const bool indexIsOne = false; // bends and reflects nothing
 layout(constant_id = 24) const bool attenuates = false; // absorbs along the way inside
+layout(constant_id = 41) const bool looksAround = false; // reflections show the picture: there is more than one thing
+layout(constant_id = 25) const bool holdsOpaque = false; // something opaque reaches into the box around the solid

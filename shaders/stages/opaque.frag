@@ -18,6 +18,7 @@ layout(location = 0) out vec4 outColor; // premultiplied where blended
 #include "stages/reflectance.glsl"
 #include "stages/punctual_lights.glsl"
 #include "stages/environment.glsl"
+#include "stages/surroundings.glsl"
 #include "stages/environment_light.glsl"
 
 void main() {

@@ -2,7 +2,6 @@
 #version 450
 #include "interface/frame.glsl"
 #include "interface/instance.glsl"
-#include "interface/layer.glsl"
 #include "interface/lights.glsl"
 #include "interface/material.glsl"
 #include "stages/material_features.glsl"
@@ -21,8 +20,8 @@ layout(location = 0) out vec4 outColor; // premultiplied
 #include "stages/reflectance.glsl"
 #include "stages/punctual_lights.glsl"
 #include "stages/environment.glsl"
-#include "stages/environment_light.glsl"
 #include "stages/surroundings.glsl"
+#include "stages/environment_light.glsl"
 #include "stages/glass.glsl"
 
 void main() {

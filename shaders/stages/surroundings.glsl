@@ -1,7 +1,7 @@
 // surroundings.glsl: what a beam of light that leaves the glass brings: the picture behind it where it can be seen, the
 // environment at the same width where it cannot.
 // Frame    world, metres; pixels from the top left corner.
-// Needs    interface/frame.glsl, interface/layer.glsl, stages/environment.glsl.
+// Needs    interface/frame.glsl, stages/environment.glsl.
 // Source   DESIGN.md §2 (5). A surface that a beam meets is looked for in the depth behind the layer: first from depth to
 //          depth (each read is taken for a plane across the view, whose meeting with the beam has a closed form), which finds
 //          walls and floors in two or three reads; where that does not settle, in steps that are even on the screen.
@@ -28,12 +28,10 @@ struct Meeting {
 
 const int MEETING_GUESSES = 4;
 const int MEETING_STEPS = 12;
-const int MEETING_SECANTS = 3;
+const int MEETING_SECANTS = 4;
 
 // Clip coordinates, w > 0 -> pixels.
 vec2 pixelOf(vec4 clip) { return (vec2(0.5, -0.5) * clip.xy / clip.w + 0.5) * frame.picture.xy; }
-
-bool isOnPicture(vec2 at) { return all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, frame.picture.xy)); }
 
 float depthBehind(vec2 at) {
     return texelFetch(backdropDepth, ivec2(clamp(at, vec2(0.0), frame.picture.xy - 1.0)), 0).x;
@@ -64,8 +62,8 @@ Meeting meetByGuess(vec4 from, vec4 along, out bool settled) {
         float distance = sky ? -1.0 : distanceToDepth(from, along, z);
         vec4 there = sky ? along : from + distance * along;
         if ((!sky && !(distance >= 0.0)) || !(there.w > 0.0)) return meeting;
+        // Off the picture its border goes on (depthBehind): the picture's share in the beam fades there, it does not end.
         vec2 next = pixelOf(there);
-        if (!isOnPicture(next)) return meeting;
         vec2 moved = abs(next - at);
         at = next;
         meeting.distance = distance;
@@ -95,7 +93,7 @@ Meeting meetBySteps(vec4 from, vec4 along, float most) {
         if (loss[k] > room[k]) end = min(end, max(room[k], 0.0) / loss[k]);
     if (-way.w > 0.99 * from.w) end = min(end, 0.99 * from.w / -way.w);
     vec4 to = from + end * way;
-    miss.seen = end == 1.0 && along.w > 0.0 && isOnPicture(pixelOf(along)) && depthBehind(pixelOf(along)) == 0.0;
+    miss.seen = end == 1.0 && along.w > 0.0 && depthBehind(pixelOf(along)) == 0.0;
     vec3 a = from.xyz / from.w;
     vec3 b = to.xyz / to.w;
     float before = 0.0;
@@ -109,8 +107,8 @@ Meeting meetBySteps(vec4 from, vec4 along, float most) {
             float high = u;
             float heightHigh = height;
             for (int j = 0; j < MEETING_SECANTS; ++j) {
-                // Kept off the ends by a tenth: a step in depth would hold a secant there.
-                float cut = clamp(heightLow / (heightLow - heightHigh), 0.1, 0.9);
+                // In turn by the heights and in the middle: a step in depth would hold a secant at one end.
+                float cut = (j & 1) == 0 ? heightLow / (heightLow - heightHigh) : 0.5;
                 float middle = mix(low, high, cut);
                 float heightMiddle = heightAbove(mix(a, b, middle));
                 bool front = heightMiddle >= 0.0;
@@ -119,11 +117,10 @@ Meeting meetBySteps(vec4 from, vec4 along, float most) {
                 high = front ? high : middle;
                 heightHigh = front ? heightHigh : heightMiddle;
             }
-            // Met if what is left between the two sides is less than the ray's own course over them explains, twice over;
-            // else it went behind something nearer, and comes out again or not.
-            float course = abs(b.z - a.z) * (high - low);
-            if (heightLow - heightHigh <= 3.0 * course + 0.02 * abs(mix(a.z, b.z, high))) {
-                float v = mix(low, high, clamp(heightLow / max(heightLow - heightHigh, 1e-30), 0.0, 1.0));
+            // Over a surface the heights close in on 0, at an edge they do not: there the ray went behind something nearer, and
+            // comes out again or not.
+            if (min(heightLow, -heightHigh) < 0.1 * (heightBefore - height)) {
+                float v = mix(low, high, heightLow / max(heightLow - heightHigh, 1e-30));
                 // Even steps on the screen are even in 1 / w.
                 float near = (1.0 - v) / from.w;
                 float far = v / to.w;
@@ -136,18 +133,25 @@ Meeting meetBySteps(vec4 from, vec4 along, float most) {
         before = u;
         heightBefore = height;
     }
+    // Out at the picture's edge, in front of what is there: the border goes on.
+    if (end < 1.0 && heightBefore >= 0.0) {
+        float z = b.z - heightBefore;
+        miss.distance = z > 0.0 ? distanceToDepth(from, along, z) : -1.0;
+        miss.seen = z > 0.0 ? miss.distance >= 0.0 : along.w > 0.0;
+    }
     return miss;
 }
 
-Meeting meetBackdrop(vec3 origin, vec3 direction) {
+// `guess`: depth to depth first; not where the ray starts from a surface that is in the depth.
+Meeting meetBackdrop(vec3 origin, vec3 direction, bool guess) {
     Meeting meeting;
     meeting.distance = -1.0;
     meeting.seen = false;
     vec4 from = frame.clipFromWorld * vec4(origin, 1.0);
     vec4 along = frame.clipFromWorld * vec4(direction, 0.0);
-    if (!(from.w > 0.0) || !isOnPicture(pixelOf(from))) return meeting;
-    bool settled;
-    meeting = meetByGuess(from, along, settled);
+    if (!(from.w > 0.0)) return meeting;
+    bool settled = false;
+    if (guess) meeting = meetByGuess(from, along, settled);
     if (settled) return meeting;
     return meetBySteps(from, along, max(distanceOutOfScene(origin, direction), 0.0));
 }
@@ -180,7 +184,7 @@ vec3 beamRadiance(Beam beam, Meeting meeting) {
         vec2 at = pixelOf(clip);
         share = pyramidCoverage(at, frame.picture.xy, pixels);
         if (share > 0.0) {
-            vec4 seen = fetchPyramid(screenPyramid, at, frame.picture.xy, pixels * pixels, layer.backdrop.y);
+            vec4 seen = fetchPyramid(screenPyramid, at, frame.picture.xy, pixels * pixels, frame.picture.w);
             // Where less than half of the blur falls on what can be behind, the environment comes in for the rest.
             share *= min(2.0 * seen.w, 1.0);
             near = seen.w > 0.0 ? seen.xyz / seen.w : vec3(0.0);
