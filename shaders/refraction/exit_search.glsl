@@ -62,11 +62,12 @@ float exitSecant(float tInside, float inside, float tOutside, float outside) {
   return mix(tInside, tOutside, share);
 }
 
-// Dense about the guess, wide beyond: k/4 grows by its cube, to 12 times the guess at the last step. A path through a ball
-// that starts 5 degrees from its outline is 8.5 times as long as the ball is thick there.
+// Dense about the guess, then ever wider: to 48 times the guess at the last step. A path through a ball that starts 5 degrees
+// from its outline is 8.5 times as long as the ball is thick there, at 1 degree 43 times.
 float exitSpacing(int k) {
   float x = 0.25 * float(k);
-  return x + x * x * x / 3.0;
+  float x3 = x * x * x;
+  return x + x3 / 3.0 + x3 * x3 / 20.0;
 }
 
 float exitPlane(vec3 origin, vec3 direction, vec3 point, vec3 n) { return dot(point - origin, n) / dot(direction, n); }

@@ -18,105 +18,129 @@ float exitInsideAt(usampler2DArray interior, int pairs, InteriorView view, vec4 
   return exitInside(interiorDepths(interior, pairs, ivec2(at.xy), solid), at.z, 2.0 * interiorTexelDepth(view, at.z));
 }
 
-struct ExitMarch {
-  float first, unit;        // the k-th step looks at first + unit exitSpacing(k)
-  float tInside, inside;    // the last place known to be inside; exitInside times w there
-  float tOutside, outside;
-  bool open;                // the way so far ends inside
-  int steps;
+// What is known of the way: inside up to tInside, outside at tOutside.
+struct ExitWay {
+  float tInside;
+  float inside;  // exitInside times w there: linear in t where the surface is flat
+  float tOutside;
+  float outside;
+  int steps;     // of the march, so far
+  bool open;     // the march has come inside since the last crossing
   float reads;
 };
 
-// Onwards to the next crossing, then two secants between its ends. tOutside is negative if none was met.
-ExitMarch exitMarch(usampler2DArray interior, int pairs, InteriorView view, ExitRay ray, float solid, ExitMarch m) {
-  m.tOutside = -1.0;
-  int secants = 0;
-  while (secants < 2 && (m.steps < EXIT_STEPS || m.tOutside >= 0.0)) {
-    bool crossed = m.tOutside >= 0.0;
-    if (crossed) ++secants;
-    else ++m.steps;
-    float t = crossed ? exitSecant(m.tInside, m.inside, m.tOutside, m.outside) : m.first + m.unit * exitSpacing(m.steps);
-    vec4 at = exitAt(ray, t);
-    float here = exitInsideAt(interior, pairs, view, at, solid);
-    m.reads += 1.0;
-    if (here > 0.0) {
-      m.tInside = t;
-      m.inside = here * at.w;
-      m.open = true;
-    } else if (m.open) {
-      m.tOutside = t;
-      m.outside = here > EXIT_NOWHERE ? here * at.w : EXIT_NOWHERE;
-    }
+const float EXIT_FAR = 1.0e30; // nothing is known to be outside
+
+ExitWay exitLearn(ExitWay way, float t, float w, float here, float least) {
+  if (here > least) {
+    way.tInside = t;
+    way.inside = here * w;
+  } else if (here < -least) {
+    way.tOutside = t;
+    way.outside = here > EXIT_NOWHERE ? here * w : EXIT_NOWHERE;
   }
-  return m;
+  return way;
 }
 
 struct ExitSteps {
-  float t; // negative: nothing to meet
+  float t; // negative: nothing was met
   int layer;
-  float reads;
+  ExitWay way;
 };
 
-// Newton's steps along the ray: to the plane that the texel at t shows, and on from there.
+// Newton's steps along the ray from t: to the plane that the texel there shows, and on from there, between what is known to
+// be inside and outside. Within a texel's width of the surface neither is known; and without an end the way to t may have been
+// outside in between, so that nothing is learned of it.
 ExitSteps exitSteps(usampler2DArray interior, int pairs, InteriorView view, ExitRay ray, float solid, vec3 origin, vec3 direction,
-                    float t, float first, int count) {
+                    float t, ExitWay way) {
   ExitSteps s;
-  s.t = t;
+  s.t = -1.0;
   s.layer = INTERIOR_B1;
-  s.reads = 0.0;
+  s.way = way;
   ivec2 last = ivec2(-1);
-  for (int k = 0; k < count && s.t > first; ++k) {
-    vec4 at = exitAt(ray, s.t);
-    if (!exitOnPicture(view, at)) s.t = -1.0;
-    if (s.t < 0.0 || ivec2(at.xy) == last) break; // the same texel shows the same plane
-    last = ivec2(at.xy);
-    InteriorMeeting met = interiorMeeting(interior, pairs, view, last, solid, origin, direction, s.t);
-    s.t = met.t;
-    s.layer = met.layer;
-    s.reads += 1.0;
+  bool bracketed = way.tOutside < EXIT_FAR;
+  for (int k = 0; k < (bracketed ? 5 : 3); ++k) {
+    vec4 at = exitAt(ray, t);
+    if (exitOnPicture(view, at)) {
+      if (s.t > 0.0 && ivec2(at.xy) == last) break; // the same texel shows the same plane
+      last = ivec2(at.xy);
+      InteriorMeeting met = interiorMeeting(interior, pairs, view, at.xyz, solid, origin, direction, t, s.way.tInside, s.way.tOutside);
+      if (bracketed) s.way = exitLearn(s.way, t, at.w, met.inside, interiorTexelDepth(view, at.z));
+      s.way.reads += 1.0;
+      s.t = met.t;
+      s.layer = met.layer;
+    } else {
+      if (bracketed) s.way = exitLearn(s.way, t, 1.0, EXIT_NOWHERE, 0.0);
+      s.t = -1.0;
+    }
+    if (!bracketed && s.t < 0.0) break;
+    if (s.t <= s.way.tInside || s.t >= s.way.tOutside) s.t = -1.0;
+    t = s.t > 0.0 ? s.t : 0.5 * (s.way.tInside + s.way.tOutside);
   }
-  if (s.t <= first) s.t = -1.0;
   return s;
+}
+
+// Onwards to the next crossing; tOutside stays EXIT_FAR if none is met.
+ExitWay exitMarch(usampler2DArray interior, int pairs, InteriorView view, ExitRay ray, float solid, float first, float unit,
+                  ExitWay way) {
+  way.tOutside = EXIT_FAR;
+  while (way.steps < EXIT_STEPS && way.tOutside == EXIT_FAR) {
+    float t = first + unit * exitSpacing(++way.steps);
+    vec4 at = exitAt(ray, t);
+    float here = exitInsideAt(interior, pairs, view, at, solid);
+    way.reads += 1.0;
+    if (here > 0.0 || way.open) way = exitLearn(way, t, at.w, here, 0.0);
+    if (here > 0.0) way.open = true;
+  }
+  return way;
 }
 
 ExitHit findExit(usampler2DArray interior, InteriorView view, int pairs, float solid, vec3 origin, vec3 direction, float guess,
                  bool afterBounce) {
   ExitRay ray = exitRay(view, origin, direction);
   float texel = interiorTexelWidth(view, ray.origin.w);
-  ExitMarch march;
-  march.first = afterBounce ? 1.5 * texel : 0.0; // or the ray would meet the surface that it starts from
-  march.unit = max(guess, texel);
-  march.tInside = march.first;
-  march.inside = 0.0;
-  march.tOutside = -1.0;
-  march.outside = EXIT_NOWHERE;
-  march.open = true;
-  march.steps = 0;
-  march.reads = 0.0;
+  float first = afterBounce ? 1.5 * texel : 0.0; // or the ray would meet the surface that it starts from
+  float unit = max(guess, texel);
+  vec4 start = exitAt(ray, first);
+  // The way before says little of the way on, if it was short: what lies behind the bounce's own place says more.
+  if (afterBounce && exitOnPicture(view, start))
+    unit = max(unit, interiorThickness(interior, view, ivec2(start.xy), solid));
+  ExitWay way;
+  way.tInside = first;
+  way.inside = 0.0;
+  way.tOutside = EXIT_FAR;
+  way.outside = EXIT_NOWHERE;
+  way.steps = 0;
+  way.open = true;
+  way.reads = 0.0;
+  float lastInside = first;
   ExitHit hit = exitNone(origin, direction);
   // Round 0: plane steps from the guess. Then the crossings that a march meets, until one faces along the ray: two at most.
-  for (int round = 0; round < 3 && hit.found == 0.0 && march.steps < EXIT_STEPS; ++round) {
-    float t = march.first + march.unit;
+  for (int round = 0; round < 3 && hit.found == 0.0 && way.steps < EXIT_STEPS; ++round) {
+    float t = first + unit;
+    ExitWay known = way;
     if (round > 0) {
-      march = exitMarch(interior, pairs, view, ray, solid, march);
-      if (march.tOutside < 0.0) break;
-      t = 0.5 * (march.tInside + march.tOutside);
-      march.open = false;
+      way = exitMarch(interior, pairs, view, ray, solid, first, unit, way);
+      lastInside = way.tInside;
+      if (way.tOutside == EXIT_FAR) break;
+      way.open = false;
+      known = way;
+      t = exitSecant(way.tInside, way.inside, way.tOutside, way.outside);
     }
-    ExitSteps s = exitSteps(interior, pairs, view, ray, solid, origin, direction, t, march.first, round == 0 ? 3 : 1);
-    march.reads += s.reads;
+    ExitSteps s = exitSteps(interior, pairs, view, ray, solid, origin, direction, t, known);
+    way.reads = s.way.reads;
     bool believed = s.t > 0.0;
     for (int k = 1; round == 0 && believed && k < 4; ++k) {
-      vec4 at = exitAt(ray, mix(march.first, s.t, 0.25 * float(k)));
+      vec4 at = exitAt(ray, mix(first, s.t, 0.25 * float(k)));
       believed = exitInsideAt(interior, pairs, view, at, solid) > 0.0;
-      march.reads += 1.0;
+      way.reads += 1.0;
     }
     if (!believed) continue;
     hit = exitRead(interior, s.layer, view, ray, solid, origin, direction, s.t);
-    march.reads += 4.0;
+    way.reads += 4.0;
   }
-  hit.reads = march.reads;
-  if (hit.found == 0.0) hit.point = origin + march.tInside * direction;
+  hit.reads = way.reads;
+  if (hit.found == 0.0) hit.point = origin + lastInside * direction;
   return hit;
 }
 
