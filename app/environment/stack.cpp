@@ -73,6 +73,9 @@ vec4 kernel_of(double reach, double variance) {
   return {radius, 4.0 * half * half, 0.5 / variance, 0.0};
 }
 
+const std::string stages[] = {"environment_equirect.comp", "environment_weigh.comp",
+                              "environment_blur.comp", "environment_zonal.comp"};
+
 // Collects the passes of the build; they run together at the end.
 class Builder {
 public:
@@ -258,6 +261,7 @@ void Builder::zonal(const gpu::View& from, int from_size, const gpu::View& to, i
 }
 
 Stack Builder::build(std::vector<gpu::PassTime>* times) {
+  device_.expect(stages);
   const int even_levels = std::countr_zero(static_cast<unsigned>(face_ / smallest_level)) + 1;
   stack_.even = cube("environment, even levels", face_, even_levels);
   stack_.odd = cube("environment, odd levels", face_ / 2, even_levels - 1);

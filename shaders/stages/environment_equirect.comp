@@ -32,7 +32,7 @@ void main() {
     // Not acos(d.y): it keeps 3e-4 rad of the angle at the poles.
     float sinTheta = sqrt(d.x * d.x + d.z * d.z);
     float theta = atan(sinTheta, d.y);
-    int column = int(floor((atan(d.z, d.x) / (2.0 * PI) + 0.5) * float(pixels.x)));
+    float column = (atan(d.z, d.x) / (2.0 * PI) + 0.5) * float(pixels.x) - 0.5;
     float rowStep = PI / float(pixels.y);
     vec2 turn = texelFetch(rows, ivec2(0, 2), 0).xy;
 
@@ -51,12 +51,12 @@ void main() {
         // chord² = across² + 4 sin θ sin θ' sin²(Δφ/2). On the axis (sin θ = 0) every column is near enough.
         float room = (cap * cap - dot(across, across)) / max(4.0 * sinTheta * rowSin, 1e-20);
         if (room <= 0.0) continue;
-        // asin(x) <= x + (π/2 - 1) x³; one more, for the column's own half.
-        float halfAngle = sqrt(room) * (1.0 + 0.570797 * room);
-        int reach = room >= 1.0 ? pixels.x / 2 : min(int(halfAngle * float(pixels.x) / PI) + 1, pixels.x / 2);
-        int count = min(2 * reach + 1, pixels.x);
-        int x = column - reach;
-        x = x < 0 ? x + pixels.x : x;
+        // Δφ in columns, and 0.01 more than atan may be off. asin(x) <= x + (π/2 - 1) x³.
+        float reach = 0.01 + sqrt(room) * (1.0 + 0.570797 * room) / PI * float(pixels.x);
+        bool whole = room >= 1.0 || 2.0 * reach >= float(pixels.x);
+        int x = whole ? 0 : int(ceil(column - reach));
+        int count = whole ? pixels.x : int(floor(column + reach)) - x + 1;
+        x = x < 0 ? x + pixels.x : x >= pixels.x ? x - pixels.x : x;
         vec2 azimuth = texelFetch(rows, ivec2(x, 1), 0).xy;
         float c = azimuth.x;
         float s = azimuth.y;

@@ -1,6 +1,7 @@
 #include "gpu/opengl/device.h"
 
 #include "core/error.h"
+#include "gpu/shaders/compile.h"
 
 #include <algorithm>
 #include <chrono>
@@ -53,6 +54,10 @@ PipelineRef GlDevice::create(const PipelineDesc& desc) {
 
 PipelineRef GlDevice::create(const ComputeDesc& desc) {
   return std::make_shared<GlPipeline>(context_, names_, desc);
+}
+
+void GlDevice::expect(std::span<const std::string> stages) {
+  shaders::compile_ahead(stages, Backend::opengl);
 }
 
 void GlDevice::upload(const TextureRef& texture, int level, int layer,

@@ -9,6 +9,7 @@
 #include <glslang/SPIRV/GlslangToSpv.h>
 
 #include <filesystem>
+#include <future>
 #include <map>
 #include <mutex>
 #include <sstream>
@@ -33,6 +34,11 @@ struct Compiler {
   Compiler() { glslang::InitializeProcess(); }
   ~Compiler() { glslang::FinalizeProcess(); }
 };
+
+const Compiler& compiler() {
+  static const Compiler only;
+  return only;
+}
 
 EShLanguage language(Stage stage) {
   switch (stage) {
@@ -83,7 +89,7 @@ bool is_place(std::string_view text) {
 
 Module build(const std::string& name, const fs::path& file, Stage stage, const std::string& text,
              Backend backend) {
-  static const Compiler compiler;
+  compiler();
   const bool vulkan = backend == Backend::vulkan;
   const auto client = vulkan ? glslang::EShClientVulkan : glslang::EShClientOpenGL;
 
@@ -116,22 +122,63 @@ Module build(const std::string& name, const fs::path& file, Stage stage, const s
 
 } // namespace
 
-std::shared_ptr<const Module> compile(std::string_view stage_file, Backend backend) {
-  using Key = std::pair<fs::path, Backend>;
-  static std::mutex mutex;
-  static std::map<Key, std::shared_ptr<const Module>> known;
+namespace {
 
-  const Key key{home_directory() / "shaders" / "stages" / stage_file, backend};
-  {
-    const std::lock_guard lock(mutex);
-    if (const auto found = known.find(key); found != known.end()) return found->second;
+using ModuleRef = std::shared_ptr<const Module>;
+
+// What has been compiled or is being compiled.
+struct Modules {
+  using Key = std::pair<fs::path, Backend>;
+  std::mutex mutex;
+  std::map<Key, std::shared_future<ModuleRef>> known;
+  std::map<Backend, std::future<Module>> warm_ups;
+
+  // Statics that threads use must outlive this one: at exit its futures wait for them.
+  Modules() {
+    compiler();
+    home_directory();
   }
-  // Outside the lock, so that threads compile different stages at once; of two that compile the
-  // same one, the first to finish is kept.
-  auto module = std::make_shared<const Module>(build(
-      display_name(key.first), key.first, stage_of(key.first), read_text(key.first), backend));
-  const std::lock_guard lock(mutex);
-  return known.emplace(key, std::move(module)).first->second;
+
+  std::shared_future<ModuleRef> start(std::string_view stage_file, Backend backend,
+                                      std::launch when) {
+    Key key{home_directory() / "shaders" / "stages" / stage_file, backend};
+    const std::lock_guard lock(mutex);
+    std::shared_future<ModuleRef>& module = known[key];
+    if (!module.valid())
+      module = std::async(when, [key] {
+        const fs::path& file = key.first;
+        return std::make_shared<const Module>(
+            build(display_name(file), file, stage_of(file), read_text(file), key.second));
+      });
+    return module;
+  }
+};
+
+Modules& modules() {
+  static Modules all;
+  return all;
+}
+
+} // namespace
+
+std::shared_ptr<const Module> compile(std::string_view stage_file, Backend backend) {
+  // Deferred: on the first thread that asks.
+  return modules().start(stage_file, backend, std::launch::deferred).get();
+}
+
+void compile_ahead(std::span<const std::string> stage_files, Backend backend) {
+  for (const std::string& stage_file : stage_files)
+    modules().start(stage_file, backend, std::launch::async);
+}
+
+void warm_up(Backend backend) {
+  Modules& all = modules();
+  const std::lock_guard lock(all.mutex);
+  std::future<Module>& under_way = all.warm_ups[backend];
+  if (!under_way.valid())
+    under_way = std::async(std::launch::async, [backend] {
+      return compile_text("warm-up", Stage::compute, "#version 450\nvoid main() {}\n", backend);
+    });
 }
 
 Module compile_text(const std::string& name, Stage stage, const std::string& text,

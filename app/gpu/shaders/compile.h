@@ -14,8 +14,8 @@ namespace gg::gpu::shaders {
 // Compiles a stage for one API. `stage_file` is relative to shaders/stages (an absolute path is
 // taken as it is); its extension (.vert, .frag, .comp) says which stage it is. `#include "x"` is
 // looked up in shaders/, then beside the file that includes it, and each file is included at most
-// once. Compiled modules are remembered for the life of the process. Safe to call from several
-// threads.
+// once. Compiled modules, and failures, are remembered for the life of the process. Safe to call
+// from several threads.
 //
 // The text is in Vulkan's dialect (gl_VertexIndex, gl_InstanceIndex: both count from 0, no draw
 // starts elsewhere); for OpenGL a prelude renames. gl_FragCoord counts rows from row 0 of the
@@ -24,6 +24,14 @@ namespace gg::gpu::shaders {
 // Throws Error(internal) with the compiler's log, naming file and line; Error(input) if the file
 // cannot be read.
 std::shared_ptr<const Module> compile(std::string_view stage_file, Backend backend);
+
+// Starts to compile these stages on threads of their own; compile() then waits for what is under way.
+// What is wrong with a stage is thrown there.
+void compile_ahead(std::span<const std::string> stage_files, Backend backend);
+
+// Starts to build the compiler's tables of built-in functions for one API, which the first compilation
+// would wait for (0.1 s).
+void warm_up(Backend backend);
 
 // The same from text in memory, not remembered; `name` stands for the file in messages and is
 // where relative includes are looked up.

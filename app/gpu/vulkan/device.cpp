@@ -80,6 +80,10 @@ PipelineRef VulkanDevice::create(const ComputeDesc& desc) {
   return pipeline;
 }
 
+void VulkanDevice::expect(std::span<const std::string> stages) {
+  shaders::compile_ahead(stages, Backend::vulkan);
+}
+
 void VulkanDevice::upload(const TextureRef& texture, int level, int layer,
                           std::span<const std::byte> texels) {
   require(texture.get(), "an upload");

@@ -28,6 +28,7 @@ public:
   SamplerRef create(const SamplerDesc& desc) override;
   PipelineRef create(const PipelineDesc& desc) override;
   PipelineRef create(const ComputeDesc& desc) override;
+  void expect(std::span<const std::string> stages) override;
   void upload(const TextureRef& texture, int level, int layer,
               std::span<const std::byte> texels) override;
   void upload(const BufferRef& buffer, std::size_t offset,
