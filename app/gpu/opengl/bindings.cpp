@@ -10,13 +10,10 @@ void GlEncoder::bind(const Slot& slot, const Bound& bound) {
   switch (slot.binding.kind) {
   case Kind::uniform_block:
   case Kind::storage_block:
-    if (bound.what != Bound::What::buffer) refuse(slot.binding.name + " is bound to no buffer");
     return bind_buffer(slot, bound);
   case Kind::sampled:
-    if (bound.what != Bound::What::texture) refuse(slot.binding.name + " is bound to no texture");
     return bind_texture(slot, bound);
   case Kind::image:
-    if (bound.what != Bound::What::image) refuse(slot.binding.name + " is bound to no image");
     return bind_image(slot, bound);
   }
 }
@@ -33,14 +30,7 @@ bool GlEncoder::unit_changes(const Slot& slot, const Unit& wanted) {
 void GlEncoder::bind_buffer(const Slot& slot, const Bound& bound) {
   const auto& buffer = static_cast<const GlBuffer&>(*bound.buffer);
   const bool storage = slot.binding.kind == Kind::storage_block;
-  if (!has(buffer.desc.use, storage ? Use::storage : Use::uniforms))
-    refuse(slot.binding.name + ": " + describe(buffer.desc)
-           + (storage ? " was not made for storage" : " was not made for uniforms"));
-  if (bound.bytes < slot.binding.bytes)
-    refuse(slot.binding.name + " takes " + std::to_string(slot.binding.bytes) + " bytes, but "
-           + std::to_string(bound.bytes) + " of " + describe(buffer.desc) + " are bound");
-  if (slot.binding.writes || buffer.written)
-    check_declared(*pass_, bound.buffer, slot.binding.writes);
+  check_block(slot, bound, buffer.written != 0);
   // A range of a uniform buffer ends with the block: what follows may be longer than OpenGL allows.
   const std::size_t bytes = storage ? bound.bytes : slot.binding.bytes;
   if (unit_changes(slot, {buffer.serial, 0, bound.offset, bytes}))
@@ -50,8 +40,7 @@ void GlEncoder::bind_buffer(const Slot& slot, const Bound& bound) {
 }
 
 void GlEncoder::bind_texture(const Slot& slot, const Bound& bound) {
-  check_bound(bound.view, slot.binding, pipeline_->label);
-  check_declared(*pass_, bound.view, false);
+  check_view_of(slot, bound);
   auto& texture = static_cast<GlTexture&>(*bound.view.texture);
   const auto& sampler = static_cast<const GlSampler&>(*bound.sampler);
   const GlTexture::Handle handle = texture.handle(bound.view, slot.binding.shape);
@@ -61,8 +50,7 @@ void GlEncoder::bind_texture(const Slot& slot, const Bound& bound) {
 }
 
 void GlEncoder::bind_image(const Slot& slot, const Bound& bound) {
-  check_bound(bound.view, slot.binding, pipeline_->label);
-  check_declared(*pass_, bound.view, true);
+  check_view_of(slot, bound);
   auto& texture = static_cast<GlTexture&>(*bound.view.texture);
   const View& view = bound.view;
   const GLenum access = !slot.binding.writes  ? GL_READ_ONLY

@@ -1,7 +1,6 @@
 #include "gpu/opengl/device.h"
 
 #include "core/error.h"
-#include "gpu/shaders/compile.h"
 
 #include <algorithm>
 #include <chrono>
@@ -27,51 +26,37 @@ private:
 } // namespace
 
 GlDevice::GlDevice(ContextRef context, DeviceInfo info)
-    : context_(std::move(context)), info_(std::move(info)), encoder_(context_, names_),
-      timers_(context_) {}
+    : CheckedDevice(Backend::opengl, context->limits()), context_(std::move(context)),
+      info_(std::move(info)), encoder_(context_, names_), timers_(context_) {}
 
-BufferRef GlDevice::create(const BufferDesc& desc, std::span<const std::byte> contents) {
-  gpu::check(desc, contents, context_->limits());
+BufferRef GlDevice::make(const BufferDesc& desc, std::span<const std::byte> contents) {
   return std::make_shared<GlBuffer>(context_, desc, contents);
 }
 
-TextureRef GlDevice::create(const TextureDesc& desc) {
-  gpu::check(desc, context_->limits());
+TextureRef GlDevice::make(const TextureDesc& desc) {
   return std::make_shared<GlTexture>(context_, desc);
 }
 
-SamplerRef GlDevice::create(const SamplerDesc& desc) {
-  const auto known =
-      std::ranges::find_if(samplers_, [&](const SamplerRef& s) { return s->desc == desc; });
-  if (known != samplers_.end()) return *known;
-  return samplers_.emplace_back(std::make_shared<GlSampler>(context_, desc));
+SamplerRef GlDevice::make(const SamplerDesc& desc) {
+  return std::make_shared<GlSampler>(context_, desc);
 }
 
-PipelineRef GlDevice::create(const PipelineDesc& desc) {
-  gpu::check(desc, context_->limits());
+PipelineRef GlDevice::make(const PipelineDesc& desc) {
   return std::make_shared<GlPipeline>(context_, names_, desc);
 }
 
-PipelineRef GlDevice::create(const ComputeDesc& desc) {
+PipelineRef GlDevice::make(const ComputeDesc& desc) {
   return std::make_shared<GlPipeline>(context_, names_, desc);
 }
 
-void GlDevice::expect(std::span<const std::string> stages) {
-  shaders::compile_ahead(stages, Backend::opengl);
-}
-
-void GlDevice::upload(const TextureRef& texture, int level, int layer,
-                      std::span<const std::byte> texels) {
+void GlDevice::fill(const TextureRef& texture, int level, int layer,
+                    std::span<const std::byte> texels) {
   GlTexture& to = of(texture, "an upload");
-  check_texels(to.desc, level, layer, texels.size());
   to.upload(level, layer, texels);
 }
 
-void GlDevice::upload(const BufferRef& buffer, std::size_t offset,
-                      std::span<const std::byte> bytes) {
+void GlDevice::fill(const BufferRef& buffer, std::size_t offset, std::span<const std::byte> bytes) {
   const GlBuffer& to = of(buffer, "an upload");
-  check_range(to.desc, offset, bytes.size());
-  if (bytes.empty()) return;
   const GladGLContext& gl = context_->gl();
   context_->make_visible(to.written);
   gl.NamedBufferSubData(to.name, static_cast<GLintptr>(offset),
@@ -79,7 +64,7 @@ void GlDevice::upload(const BufferRef& buffer, std::size_t offset,
   context_->check("filling " + describe(to.desc));
 }
 
-void GlDevice::generate_mipmaps(const TextureRef& texture) {
+void GlDevice::fill_levels(const TextureRef& texture) {
   const GlTexture& of_texture = of(texture, "making mip levels");
   const GladGLContext& gl = context_->gl();
   context_->make_visible(of_texture.written);
@@ -87,18 +72,15 @@ void GlDevice::generate_mipmaps(const TextureRef& texture) {
   context_->check("making mip levels of " + describe(of_texture.desc));
 }
 
-std::vector<std::byte> GlDevice::read(const TextureRef& texture, int level, int layer) {
+std::vector<std::byte> GlDevice::fetch(const TextureRef& texture, int level, int layer) {
   GlTexture& from = of(texture, "reading back");
-  check_part(from.desc, level, layer);
   return from.read(level, layer);
 }
 
-std::vector<std::byte> GlDevice::read(const BufferRef& buffer, std::size_t offset,
-                                      std::size_t bytes) {
+std::vector<std::byte> GlDevice::fetch(const BufferRef& buffer, std::size_t offset,
+                                       std::size_t bytes) {
   const GlBuffer& from = of(buffer, "reading back");
-  check_range(from.desc, offset, bytes);
   std::vector<std::byte> result(bytes);
-  if (bytes == 0) return result;
   const GladGLContext& gl = context_->gl();
   context_->make_visible(from.written);
   gl.GetNamedBufferSubData(from.name, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
@@ -108,7 +90,7 @@ std::vector<std::byte> GlDevice::read(const BufferRef& buffer, std::size_t offse
 }
 
 void GlDevice::run(const Pass& pass) {
-  gpu::check(pass, context_->limits());
+  gpu::check(pass, limits());
   const Group group(context_->gl(), pass.label);
   struct End {
     GlEncoder& encoder;

@@ -10,19 +10,15 @@
 
 namespace gg::gpu::opengl {
 
-class GlEncoder final : public Encoder {
+class GlEncoder final : public CheckedEncoder {
 public:
-  GlEncoder(ContextRef context, Names& names)
-      : context_(std::move(context)), gl_(context_->gl()), names_(names) {}
+  GlEncoder(ContextRef context, const Names& names)
+      : CheckedEncoder(names), context_(std::move(context)), gl_(context_->gl()) {}
 
   void begin(const Pass& pass); // targets, clears, barriers
   void end() noexcept;          // lets go of everything that was bound
 
   void use(const PipelineRef& pipeline) override;
-  void buffer(std::string_view block, const BufferRef& buffer, std::size_t offset,
-              std::size_t bytes) override;
-  void texture(std::string_view name, const View& view, const SamplerRef& sampler) override;
-  void image(std::string_view name, const View& view) override;
   void vertices(int binding, const BufferRef& buffer, std::size_t offset) override;
   void indices(const BufferRef& buffer) override;
   void cull(Cull cull) override;
@@ -33,15 +29,6 @@ public:
   void dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z) override;
 
 private:
-  // What is bound by a name. Set anew, it gets a new version.
-  struct Bound {
-    enum class What { nothing, buffer, texture, image } what = What::nothing;
-    std::uint64_t version = 0;
-    BufferRef buffer;
-    std::size_t offset = 0, bytes = 0;
-    View view;
-    SamplerRef sampler;
-  };
   // What a unit of OpenGL holds, by serials, so that equal bindings are not made again.
   struct Unit {
     std::uint64_t object = 0, sampler = 0;
@@ -54,7 +41,6 @@ private:
     bool changed = false;
   };
 
-  Bound* find(std::string_view name);
   void prepare(bool draws); // everything that the next draw or dispatch needs
   void bind(const Slot& slot, const Bound& bound);
   void bind_buffer(const Slot& slot, const Bound& bound);
@@ -65,20 +51,14 @@ private:
   void bind_targets();
   void set_fixed_state(const PipelineDesc& desc);
   void detach_vertices() noexcept;
-  [[noreturn]] void refuse(const std::string& what) const;
 
   ContextRef context_;
   const GladGLContext& gl_;
-  Names& names_;
-  const Pass* pass_ = nullptr;
+  GlPipeline& pipeline() const { return CheckedEncoder::pipeline<GlPipeline>(); }
 
-  std::shared_ptr<GlPipeline> pipeline_;
-  std::vector<std::shared_ptr<GlPipeline>>
-      used_;                           // in this pass, with buffers in their vertex arrays
-  std::vector<Bound> bound_;           // by number of the name
-  std::vector<std::uint64_t> applied_; // by slot of the pipeline: the version that is bound
-  std::uint64_t version_ = 0;
-  bool resources_changed_ = false, vertices_changed_ = false;
+  // In this pass, with buffers in their vertex arrays.
+  std::vector<std::shared_ptr<GlPipeline>> used_;
+  bool vertices_changed_ = false;
 
   std::array<std::vector<Unit>, 4> units_; // by kind
   std::vector<VertexSlot> vertices_;

@@ -56,8 +56,9 @@ GLuint make_shader(Context& context, const shaders::Module& module) {
 } // namespace
 
 GlPipeline::GlPipeline(ContextRef owner, Names& names, const PipelineDesc& desc)
-    : context(std::move(owner)), drawing(desc) {
+    : context(std::move(owner)) {
   label = desc.label;
+  drawing = desc;
   try {
     build(names, std::array{desc.vertex, desc.fragment}, desc.constants);
   } catch (...) {

@@ -1,33 +1,25 @@
 // Programs, their fixed state, and where each name is bound.
 #pragma once
 
+#include "gpu/checked_encoder.h"
 #include "gpu/names.h"
 #include "gpu/opengl/context.h"
 #include "gpu/shaders/compile.h"
 #include "gpu/types.h"
 
-#include <optional>
-#include <vector>
+#include <span>
+#include <string>
 
 namespace gg::gpu::opengl {
 
-// One resource of a pipeline: the name it is asked for by, and the unit it is bound to.
-struct Slot {
-  int name = 0; // in Names
-  GLuint unit = 0;
-  shaders::Binding binding;
-};
-
-struct GlPipeline final : Pipeline {
+struct GlPipeline final : BuiltPipeline {
   GlPipeline(ContextRef owner, Names& names, const PipelineDesc& desc);
   GlPipeline(ContextRef owner, Names& names, const ComputeDesc& desc);
   ~GlPipeline() override;
 
   ContextRef context;
   GLuint program = 0;
-  std::vector<Slot> slots;
-  std::optional<PipelineDesc> drawing; // none: it computes
-  GLuint vertex_array = 0;             // 0: it computes
+  GLuint vertex_array = 0; // 0: it computes
 
 private:
   void build(Names& names, std::span<const std::string> stages,

@@ -10,28 +10,25 @@ using shaders::Kind;
 void PassEncoder::bind_resources() {
   previous_offsets_.swap(offsets_);
   const bool other_contents = describe_all();
-  if (set_layout_ != pipeline_->layout || other_contents)
+  if (set_layout_ != pipeline().layout || other_contents)
     find_set();
   else if (offsets_ == previous_offsets_)
     return;
-  if (pipeline_->slots.empty()) return;
+  if (pipeline().slots.empty()) return;
   vk_.CmdBindDescriptorSets(
-      buffer_, drawing_ ? VK_PIPELINE_BIND_POINT_GRAPHICS : VK_PIPELINE_BIND_POINT_COMPUTE,
-      pipeline_->layout->pipeline, 0, 1, &set_, static_cast<std::uint32_t>(offsets_.size()),
+      buffer_, drawing() ? VK_PIPELINE_BIND_POINT_GRAPHICS : VK_PIPELINE_BIND_POINT_COMPUTE,
+      pipeline().layout->pipeline, 0, 1, &set_, static_cast<std::uint32_t>(offsets_.size()),
       offsets_.data());
 }
 
 bool PassEncoder::describe_all() {
-  const std::vector<Slot>& slots = pipeline_->slots;
+  const std::vector<Slot>& slots = pipeline().slots;
   bool changed = descriptors_.size() != slots.size();
   descriptors_.resize(slots.size());
   offsets_.clear();
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const Slot& slot = slots[i];
-    const auto number = static_cast<std::size_t>(slot.name);
-    if (number >= bound_.size() || bound_[number].what == Bound::What::nothing)
-      refuse("nothing is bound to " + slot.binding.name);
-    const Bound& bound = bound_[number];
+    const Bound& bound = bound_to(slot);
     if (slot.binding.kind == Kind::uniform_block)
       offsets_.push_back(static_cast<std::uint32_t>(bound.offset));
     if (applied_[i] == bound.version) continue;
@@ -58,18 +55,9 @@ PassEncoder::Descriptor PassEncoder::describe_one(const Slot& slot, const Bound&
 }
 
 PassEncoder::Descriptor PassEncoder::describe_buffer(const Slot& slot, const Bound& bound) {
-  const std::string& name = slot.binding.name;
-  if (bound.what != Bound::What::buffer) refuse(name + " is bound to no buffer");
   GpuBuffer& buffer = of(bound.buffer);
+  check_block(slot, bound, !is_ready(buffer, buffer_read(drawing())));
   const bool storage = slot.binding.kind == Kind::storage_block;
-  if (!has(buffer.desc.use, storage ? Use::storage : Use::uniforms))
-    refuse(name + ": " + describe(buffer.desc)
-           + (storage ? " was not made for storage" : " was not made for uniforms"));
-  if (bound.bytes < slot.binding.bytes)
-    refuse(name + " takes " + std::to_string(slot.binding.bytes) + " bytes, but "
-           + std::to_string(bound.bytes) + " of " + describe(buffer.desc) + " are bound");
-  if (slot.binding.writes || !is_ready(buffer, buffer_read(drawing_)))
-    check_declared(*pass_, bound.buffer, slot.binding.writes);
   // The offset of a uniform block is given when the set is bound.
   const VkDeviceSize offset = storage ? bound.offset : 0;
   const VkDeviceSize range = storage ? bound.bytes : slot.binding.bytes;
@@ -77,9 +65,7 @@ PassEncoder::Descriptor PassEncoder::describe_buffer(const Slot& slot, const Bou
 }
 
 PassEncoder::Descriptor PassEncoder::describe_texture(const Slot& slot, const Bound& bound) {
-  if (bound.what != Bound::What::texture) refuse(slot.binding.name + " is bound to no texture");
-  check_bound(bound.view, slot.binding, pipeline_->label);
-  check_declared(*pass_, bound.view, false);
+  check_view_of(slot, bound);
   GpuTexture& texture = of(bound.view.texture);
   const GpuSampler& sampler = of(bound.sampler);
   const Range range = texture.range_of(bound.view);
@@ -90,9 +76,7 @@ PassEncoder::Descriptor PassEncoder::describe_texture(const Slot& slot, const Bo
 }
 
 PassEncoder::Descriptor PassEncoder::describe_image(const Slot& slot, const Bound& bound) {
-  if (bound.what != Bound::What::image) refuse(slot.binding.name + " is bound to no image");
-  check_bound(bound.view, slot.binding, pipeline_->label);
-  check_declared(*pass_, bound.view, true);
+  check_view_of(slot, bound);
   const GpuTexture::Seen seen = of(bound.view.texture).view(bound.view, slot.binding.shape);
   return {.image = {VK_NULL_HANDLE, seen.handle, VK_IMAGE_LAYOUT_GENERAL},
           .identity = {seen.serial, 0, VK_IMAGE_LAYOUT_GENERAL}};
@@ -102,18 +86,18 @@ void PassEncoder::find_set() {
   contents_.clear();
   for (const Descriptor& descriptor : descriptors_)
     contents_.insert(contents_.end(), descriptor.identity.begin(), descriptor.identity.end());
-  const SetCache::Found found = sets_.find(*pipeline_->layout, contents_);
+  const SetCache::Found found = sets_.find(*pipeline().layout, contents_);
   set_ = found.set;
-  set_layout_ = pipeline_->layout;
+  set_layout_ = pipeline().layout;
   if (found.holds_it) return;
 
   writes_.clear();
   for (std::size_t i = 0; i < descriptors_.size(); ++i)
     writes_.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                        .dstSet = set_,
-                       .dstBinding = pipeline_->slots[i].binding.binding,
+                       .dstBinding = pipeline().slots[i].binding.binding,
                        .descriptorCount = 1,
-                       .descriptorType = descriptor_type(pipeline_->slots[i].binding.kind),
+                       .descriptorType = descriptor_type(pipeline().slots[i].binding.kind),
                        .pImageInfo = &descriptors_[i].image,
                        .pBufferInfo = &descriptors_[i].buffer});
   vk_.UpdateDescriptorSets(context_.device(), static_cast<std::uint32_t>(writes_.size()),

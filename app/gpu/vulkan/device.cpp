@@ -26,25 +26,20 @@ Limits limits_of(const VkPhysicalDeviceLimits& limits) {
           .attachments = number(limits.maxColorAttachments)};
 }
 
-void require(const void* object, const char* doing) {
-  if (!object) throw Error(ExitCode::internal, doing, "is given nothing");
-}
-
 } // namespace
 
 VulkanDevice::VulkanDevice(std::shared_ptr<Context> context)
-    : context_(std::move(context)), limits_(limits_of(context_->limits())), layouts_(*context_),
-      cache_(*context_), commands_(*context_), transfers_(*context_, commands_),
-      barriers_(*context_), sets_(*context_), encoder_(*context_, sets_, names_, limits_),
-      timers_(*context_) {}
+    : CheckedDevice(Backend::vulkan, limits_of(context->limits())), context_(std::move(context)),
+      layouts_(*context_), cache_(*context_), commands_(*context_),
+      transfers_(*context_, commands_), barriers_(*context_), sets_(*context_),
+      encoder_(*context_, sets_, names_, limits()), timers_(*context_) {}
 
 VulkanDevice::~VulkanDevice() {
-  samplers_.clear();
+  forget_samplers();
   context_->vk().DeviceWaitIdle(context_->device());
 }
 
-BufferRef VulkanDevice::create(const BufferDesc& desc, std::span<const std::byte> contents) {
-  gpu::check(desc, contents, limits_);
+BufferRef VulkanDevice::make(const BufferDesc& desc, std::span<const std::byte> contents) {
   auto buffer = std::make_shared<GpuBuffer>(context_, desc);
   if (contents.size() < desc.bytes) transfers_.clear(*buffer);
   transfers_.upload(*buffer, 0, contents);
@@ -52,72 +47,54 @@ BufferRef VulkanDevice::create(const BufferDesc& desc, std::span<const std::byte
   return buffer;
 }
 
-TextureRef VulkanDevice::create(const TextureDesc& desc) {
-  gpu::check(desc, limits_);
+TextureRef VulkanDevice::make(const TextureDesc& desc) {
   auto texture = std::make_shared<GpuTexture>(context_, desc);
   transfers_.settle_later(texture);
   context_->instance().check_messages();
   return texture;
 }
 
-SamplerRef VulkanDevice::create(const SamplerDesc& desc) {
-  const auto known =
-      std::ranges::find_if(samplers_, [&](const SamplerRef& s) { return s->desc == desc; });
-  if (known != samplers_.end()) return *known;
-  return samplers_.emplace_back(std::make_shared<GpuSampler>(context_, desc));
+SamplerRef VulkanDevice::make(const SamplerDesc& desc) {
+  return std::make_shared<GpuSampler>(context_, desc);
 }
 
-PipelineRef VulkanDevice::create(const PipelineDesc& desc) {
-  gpu::check(desc, limits_);
+PipelineRef VulkanDevice::make(const PipelineDesc& desc) {
   auto pipeline = std::make_shared<GpuPipeline>(kit(), desc);
   context_->instance().check_messages();
   return pipeline;
 }
 
-PipelineRef VulkanDevice::create(const ComputeDesc& desc) {
+PipelineRef VulkanDevice::make(const ComputeDesc& desc) {
   auto pipeline = std::make_shared<GpuPipeline>(kit(), desc);
   context_->instance().check_messages();
   return pipeline;
 }
 
-void VulkanDevice::expect(std::span<const std::string> stages) {
-  shaders::compile_ahead(stages, Backend::vulkan);
-}
-
-void VulkanDevice::upload(const TextureRef& texture, int level, int layer,
-                          std::span<const std::byte> texels) {
-  require(texture.get(), "an upload");
-  check_texels(texture->desc, level, layer, texels.size());
+void VulkanDevice::fill(const TextureRef& texture, int level, int layer,
+                        std::span<const std::byte> texels) {
   transfers_.upload(std::static_pointer_cast<GpuTexture>(texture), level, layer, texels);
   context_->instance().check_messages();
 }
 
-void VulkanDevice::upload(const BufferRef& buffer, std::size_t offset,
-                          std::span<const std::byte> bytes) {
-  require(buffer.get(), "an upload");
-  check_range(buffer->desc, offset, bytes.size());
+void VulkanDevice::fill(const BufferRef& buffer, std::size_t offset,
+                        std::span<const std::byte> bytes) {
   transfers_.upload(of(buffer), offset, bytes);
   context_->instance().check_messages();
 }
 
-void VulkanDevice::generate_mipmaps(const TextureRef& texture) {
-  require(texture.get(), "making mip levels");
+void VulkanDevice::fill_levels(const TextureRef& texture) {
   transfers_.generate_mipmaps(std::static_pointer_cast<GpuTexture>(texture));
   context_->instance().check_messages();
 }
 
-std::vector<std::byte> VulkanDevice::read(const TextureRef& texture, int level, int layer) {
-  require(texture.get(), "reading back");
-  check_part(texture->desc, level, layer);
+std::vector<std::byte> VulkanDevice::fetch(const TextureRef& texture, int level, int layer) {
   auto texels = transfers_.read(std::static_pointer_cast<GpuTexture>(texture), level, layer);
   context_->instance().check_messages();
   return texels;
 }
 
-std::vector<std::byte> VulkanDevice::read(const BufferRef& buffer, std::size_t offset,
-                                          std::size_t bytes) {
-  require(buffer.get(), "reading back");
-  check_range(buffer->desc, offset, bytes);
+std::vector<std::byte> VulkanDevice::fetch(const BufferRef& buffer, std::size_t offset,
+                                           std::size_t bytes) {
   auto read = transfers_.read(of(buffer), offset, bytes);
   context_->instance().check_messages();
   return read;
@@ -170,7 +147,7 @@ void VulkanDevice::run(std::span<const Pass> passes, std::vector<PassTime>* time
   const auto start = Clock::now();
   const double waited = commands_.waited_ms;
   for (const Pass& pass : passes)
-    gpu::check(pass, limits_);
+    gpu::check(pass, limits());
 
   const VkCommandBuffer commands = commands_.open();
   transfers_.settle();

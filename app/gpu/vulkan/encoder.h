@@ -13,20 +13,16 @@
 
 namespace gg::gpu::vulkan {
 
-class PassEncoder final : public Encoder {
+class PassEncoder final : public CheckedEncoder {
 public:
   PassEncoder(Context& context, SetCache& sets, const Names& names, const Limits& limits)
-      : context_(context), vk_(context.vk()), sets_(sets), names_(names), limits_(limits) {}
+      : CheckedEncoder(names), context_(context), vk_(context.vk()), sets_(sets), limits_(limits) {}
 
   // The barriers of the pass have been issued. Begins drawing into its targets.
   void begin(VkCommandBuffer commands, const Pass& pass);
   void end(); // lets go of everything that was bound
 
   void use(const PipelineRef& pipeline) override;
-  void buffer(std::string_view block, const BufferRef& buffer, std::size_t offset,
-              std::size_t bytes) override;
-  void texture(std::string_view name, const View& view, const SamplerRef& sampler) override;
-  void image(std::string_view name, const View& view) override;
   void vertices(int binding, const BufferRef& buffer, std::size_t offset) override;
   void indices(const BufferRef& buffer) override;
   void cull(Cull cull) override;
@@ -37,15 +33,6 @@ public:
   void dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z) override;
 
 private:
-  // What is bound by a name. Set anew, it gets a new version.
-  struct Bound {
-    enum class What { nothing, buffer, texture, image } what = What::nothing;
-    std::uint64_t version = 0;
-    BufferRef buffer;
-    std::size_t offset = 0, bytes = 0;
-    View view;
-    SamplerRef sampler;
-  };
   // What a descriptor holds, and the numbers that tell it from all others.
   struct Descriptor {
     VkDescriptorBufferInfo buffer{};
@@ -53,7 +40,6 @@ private:
     std::array<std::uint64_t, 3> identity{};
   };
 
-  Bound* find(std::string_view name);
   void begin_drawing();
   void prepare(bool draws); // everything that the next draw or dispatch needs
   void bind_resources();
@@ -63,27 +49,19 @@ private:
   Descriptor describe_texture(const Slot& slot, const Bound& bound);
   Descriptor describe_image(const Slot& slot, const Bound& bound);
   void find_set();
-  void check_vertices() const;
-  [[noreturn]] void refuse(const std::string& what) const;
+  void check_vertices_are_bound() const;
+  GpuPipeline& pipeline() const { return CheckedEncoder::pipeline<GpuPipeline>(); }
 
   Context& context_;
   const DeviceFunctions& vk_;
   SetCache& sets_;
-  const Names& names_;
   const Limits& limits_;
 
-  const Pass* pass_ = nullptr;
   VkCommandBuffer buffer_ = VK_NULL_HANDLE;
-  bool drawing_ = false;
-  std::shared_ptr<GpuPipeline> pipeline_;
-  std::vector<Bound> bound_; // by number of the name
-  std::uint64_t version_ = 0;
-  bool resources_changed_ = false;
 
   VkDescriptorSet set_ = VK_NULL_HANDLE;                  // bound now,
   const SetLayout* set_layout_ = nullptr;                 // of this layout,
   std::vector<Descriptor> descriptors_;                   // holding these,
-  std::vector<std::uint64_t> applied_;                    // of these versions, by slot,
   std::vector<std::uint32_t> offsets_, previous_offsets_; // with these
   SetContents contents_;                                  // kept for their memory
   std::vector<VkWriteDescriptorSet> writes_;

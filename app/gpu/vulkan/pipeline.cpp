@@ -102,7 +102,7 @@ shaders::Program GpuPipeline::link(const PipelineKit& kit, std::span<const std::
     flags |= stage_bit(module.stage);
   layout = &kit.layouts.find_or_make(program.bindings, flags);
   for (const shaders::Binding& binding : program.bindings)
-    slots.push_back({kit.names.add(binding.name), binding});
+    slots.push_back({kit.names.add(binding.name), binding.binding, binding});
   std::sort(slots.begin(), slots.end(),
             [](const Slot& a, const Slot& b) { return a.binding.binding < b.binding.binding; });
   return program;
@@ -122,8 +122,8 @@ GpuPipeline::GpuPipeline(const PipelineKit& kit, const ComputeDesc& desc) : cont
   ++context->counters.created, ++context->counters.compiled;
 }
 
-GpuPipeline::GpuPipeline(const PipelineKit& kit, const PipelineDesc& desc)
-    : context(kit.context), drawing(desc) {
+GpuPipeline::GpuPipeline(const PipelineKit& kit, const PipelineDesc& desc) : context(kit.context) {
+  drawing = desc;
   label = desc.label;
   const shaders::Program program =
       link(kit, std::array{desc.vertex, desc.fragment}, desc.constants);

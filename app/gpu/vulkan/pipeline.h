@@ -1,6 +1,7 @@
 // Pipelines: compiled stages, their fixed state, and where each name is bound.
 #pragma once
 
+#include "gpu/checked_encoder.h"
 #include "gpu/names.h"
 #include "gpu/shaders/compile.h"
 #include "gpu/vulkan/context.h"
@@ -8,18 +9,10 @@
 #include "gpu/vulkan/pipeline_cache.h"
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace gg::gpu::vulkan {
-
-// One resource of a pipeline and the name it is asked for by.
-struct Slot {
-  int name = 0; // in Names
-  shaders::Binding binding;
-};
 
 // What all pipelines of a device are made with.
 struct PipelineKit {
@@ -29,7 +22,7 @@ struct PipelineKit {
   Names& names;
 };
 
-struct GpuPipeline final : Pipeline {
+struct GpuPipeline final : BuiltPipeline { // slots by binding number
   // Throw Error(internal) with the compiler's log, Error(device) if the driver fails.
   GpuPipeline(const PipelineKit& kit, const PipelineDesc& desc);
   GpuPipeline(const PipelineKit& kit, const ComputeDesc& desc);
@@ -38,8 +31,6 @@ struct GpuPipeline final : Pipeline {
   std::shared_ptr<Context> context;
   VkPipeline handle = VK_NULL_HANDLE;
   const SetLayout* layout = nullptr;
-  std::vector<Slot> slots;             // by binding number
-  std::optional<PipelineDesc> drawing; // none: it computes
 
 private:
   struct Stages;
