@@ -122,6 +122,7 @@ vec3 throughSolid(Surface s, float ior) {
     vec3 point = s.position;
     vec3 light = vec3(0.0);
     float left = entered; // light that has not left yet
+    float escapes = 1.0;
     float path = 0.0;
     InnerTap ray = core;
     ray.weight = entered;
@@ -155,7 +156,12 @@ vec3 throughSolid(Surface s, float ior) {
         ExitSurface leaving = exitOf(hit, ray.direction, path, 1.0 / ior);
         vec3 absorption = absorbed(path);
         ExitView seen = seeExit(ray, true, leaving, k);
-        float thrownBack = fetchReflectedInside(interfaceEnergyTable, ray, seen, leaving);
+        InterfaceEnergy face = fetchInterfaceEnergy(interfaceEnergyTable, max(seen.cosTheta, 0.0), seen.alphaReflected, leaving.eta);
+        float thrownBack = ray.weight * face.reflected;
+        // Of what is thrown back again and again, each time with the same shares, so much gets out: single scattering loses
+        // the rest. Beyond the critical angle of a smooth face, where nothing is lost, all of it.
+        float lost = 1.0 - face.reflected - face.transmitted;
+        escapes = face.transmitted > lost * 1e-3 ? face.transmitted / (face.transmitted + max(lost, 0.0)) : (lost > 0.01 ? 0.0 : 1.0);
         if (bounce == 0) {
             light += absorption * throughExit(core, tail, leaving, point, path);
         } else {
@@ -174,7 +180,18 @@ vec3 throughSolid(Surface s, float ior) {
         if (!mostly) break;
     }
     // What is left runs about as far again before it finds a way out.
-    if (left > 0.0) light += left * absorbed(2.0 * path) * farRadiance(ray.direction, max(ray.sigma, LEFT_OVER_SIGMA));
+    if (left > 0.0) {
+        Beam rest;
+        rest.origin = point;
+        rest.direction = ray.direction;
+        rest.sigma = max(ray.sigma, LEFT_OVER_SIGMA);
+        rest.inner = 0.0;
+        rest.carried = 0.0;
+        rest.inside = 0.0;
+        Meeting meeting = nowhere();
+        if (looksAround) meeting = meetBackdrop(point, ray.direction, true);
+        light += left * escapes * absorbed(2.0 * path) * beamRadiance(rest, meeting);
+    }
     return light;
 }
 

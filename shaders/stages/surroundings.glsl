@@ -24,11 +24,13 @@ struct Beam {
 struct Meeting {
     float distance; // metres from the origin; negative: nowhere, it goes to the sky
     bool seen;      // the picture shows it
+    float foreshortening; // area that the picture shows of a patch of the surface, over the area that the beam does
 };
 
+const float OUTSIDE_FADE = 1.0; // of the picture's height
 const int MEETING_GUESSES = 4;
 const int MEETING_STEPS = 12;
-const int MEETING_SECANTS = 4;
+const int MEETING_SECANTS = 8;
 
 // Clip coordinates, w > 0 -> pixels.
 vec2 pixelOf(vec4 clip) { return (vec2(0.5, -0.5) * clip.xy / clip.w + 0.5) * frame.picture.xy; }
@@ -50,8 +52,16 @@ float distanceOutOfScene(vec3 origin, vec3 direction) {
     return min(far.x, min(far.y, far.z));
 }
 
+Meeting nowhere() {
+    Meeting m;
+    m.distance = -1.0;
+    m.seen = false;
+    m.foreshortening = 1.0;
+    return m;
+}
+
 Meeting meetByGuess(vec4 from, vec4 along, out bool settled) {
-    Meeting meeting;
+    Meeting meeting = nowhere();
     meeting.distance = 0.0;
     meeting.seen = true;
     settled = false;
@@ -80,9 +90,44 @@ float heightAbove(vec3 ndc) {
     return ndc.z - z;
 }
 
+// Even steps on the screen are even in 1 / w: the share of the way at a share v of the picture's.
+float wayAlong(float v, float wFrom, float wTo) {
+    float near = (1.0 - v) / wFrom;
+    float far = v / wTo;
+    return far / (near + far);
+}
+
+vec3 placeOf(vec2 at, float z) {
+    vec2 clip = 2.0 * at / frame.picture.xy - 1.0;
+    vec4 p = frame.worldFromClip * vec4(clip.x, -clip.y, z, 1.0);
+    return p.xyz / p.w;
+}
+
+// The surface at a pixel, seen along the view and along the beam: the ratio of the two cosines. Of the two neighbours along each
+// axis the one that is less far in depth belongs to the same surface.
+float foreshorteningAt(vec2 at, vec3 direction) {
+    vec2 centre = floor(clamp(at, vec2(1.0), frame.picture.xy - 2.0)) + 0.5;
+    float z = depthBehind(centre);
+    float right = depthBehind(centre + vec2(1.0, 0.0));
+    float left = depthBehind(centre - vec2(1.0, 0.0));
+    float down = depthBehind(centre + vec2(0.0, 1.0));
+    float up = depthBehind(centre - vec2(0.0, 1.0));
+    vec3 p = placeOf(centre, z);
+    bool toRight = abs(right - z) < abs(left - z);
+    bool toDown = abs(down - z) < abs(up - z);
+    vec3 x = placeOf(centre + vec2(toRight ? 1.0 : -1.0, 0.0), toRight ? right : left) - p;
+    vec3 y = placeOf(centre + vec2(0.0, toDown ? 1.0 : -1.0), toDown ? down : up) - p;
+    vec3 n = cross(x, y);
+    vec3 view = frame.eye.w > 0.0 ? normalize(p - frame.eye.xyz) : frame.viewDirection.xyz;
+    // At a grazing beam the spot on the surface grows without end; past a factor of 16 it is the sky's business.
+    float seen = abs(dot(n, view));
+    float met = abs(dot(n, direction));
+    return clamp(seen / max(met, 1e-30), 1.0 / 16.0, 16.0);
+}
+
 Meeting meetBySteps(vec4 from, vec4 along, float most) {
-    Meeting miss;
-    miss.distance = -1.0;
+    Meeting miss = nowhere();
+    float hidden = -1.0; // where it went behind something
     // The way to the end, as far as it stays on the picture and before the camera: each clip plane x = ±w, y = ±w and
     // w = (a hundredth of) where it began cuts off what lies beyond.
     vec4 way = most * along;
@@ -107,8 +152,9 @@ Meeting meetBySteps(vec4 from, vec4 along, float most) {
             float high = u;
             float heightHigh = height;
             for (int j = 0; j < MEETING_SECANTS; ++j) {
-                // In turn by the heights and in the middle: a step in depth would hold a secant at one end.
-                float cut = (j & 1) == 0 ? heightLow / (heightLow - heightHigh) : 0.5;
+                // In the middle first: a step in depth between the two ends, like the outline of what the ray leaves, would hold a
+                // secant at one of them.
+                float cut = (j & 1) == 1 ? heightLow / (heightLow - heightHigh) : 0.5;
                 float middle = mix(low, high, cut);
                 float heightMiddle = heightAbove(mix(a, b, middle));
                 bool front = heightMiddle >= 0.0;
@@ -116,22 +162,27 @@ Meeting meetBySteps(vec4 from, vec4 along, float most) {
                 heightLow = front ? heightMiddle : heightLow;
                 high = front ? high : middle;
                 heightHigh = front ? heightHigh : heightMiddle;
+                // Within a fiftieth of where it began the rest is less than a step on the way divided by fifty.
+                if (min(heightLow, -heightHigh) < 0.02 * (heightBefore - height)) break;
             }
             // Over a surface the heights close in on 0, at an edge they do not: there the ray went behind something nearer, and
             // comes out again or not.
             if (min(heightLow, -heightHigh) < 0.1 * (heightBefore - height)) {
                 float v = mix(low, high, heightLow / max(heightLow - heightHigh, 1e-30));
-                // Even steps on the screen are even in 1 / w.
-                float near = (1.0 - v) / from.w;
-                float far = v / to.w;
-                Meeting meeting;
-                meeting.distance = most * end * far / (near + far);
-                meeting.seen = true;
-                return meeting;
+                miss.distance = most * end * wayAlong(v, from.w, to.w);
+                miss.seen = true;
+                return miss;
             }
+            hidden = low;
         }
         before = u;
         heightBefore = height;
+    }
+    // It ends behind something: what is seen beside that is the best guess, and continuous with what is seen before.
+    if (hidden >= 0.0 && heightBefore < 0.0) {
+        miss.distance = most * end * wayAlong(hidden, from.w, to.w);
+        miss.seen = true;
+        return miss;
     }
     // Out at the picture's edge, in front of what is there: the border goes on.
     if (end < 1.0 && heightBefore >= 0.0) {
@@ -144,16 +195,17 @@ Meeting meetBySteps(vec4 from, vec4 along, float most) {
 
 // `guess`: depth to depth first; not where the ray starts from a surface that is in the depth.
 Meeting meetBackdrop(vec3 origin, vec3 direction, bool guess) {
-    Meeting meeting;
-    meeting.distance = -1.0;
-    meeting.seen = false;
+    Meeting meeting = nowhere();
     vec4 from = frame.clipFromWorld * vec4(origin, 1.0);
     vec4 along = frame.clipFromWorld * vec4(direction, 0.0);
     if (!(from.w > 0.0)) return meeting;
     bool settled = false;
     if (guess) meeting = meetByGuess(from, along, settled);
-    if (settled) return meeting;
-    return meetBySteps(from, along, max(distanceOutOfScene(origin, direction), 0.0));
+    // A wall may be what bounds the scene: a fiftieth further.
+    if (!settled) meeting = meetBySteps(from, along, 1.02 * max(distanceOutOfScene(origin, direction), 0.0));
+    if (meeting.seen && meeting.distance > 0.0)
+        meeting.foreshortening = foreshorteningAt(pixelOf(from + meeting.distance * along), direction);
+    return meeting;
 }
 
 vec3 farRadiance(vec3 direction, float sigma) {
@@ -181,10 +233,16 @@ vec3 beamRadiance(Beam beam, Meeting meeting) {
             pixels = ends ? sqrt(beamVariance(beam.sigma, beam.carried, beam.inner, beam.inside, meeting.distance)) * frame.picture.z
                           : 0.0;
         }
+        pixels *= sqrt(meeting.foreshortening);
         vec2 at = pixelOf(clip);
-        share = pyramidCoverage(at, frame.picture.xy, pixels);
+        // Off the picture the sky is known better from the environment. A surface is not: its border stands for it, ever more
+        // blurred, and fades as the picture's size tells how far a guess may reach.
+        vec2 outside = max(max(-at, at - frame.picture.xy), vec2(0.0)) / (OUTSIDE_FADE * frame.picture.y);
+        share = ends ? exp(-0.5 * dot(outside, outside)) : pyramidCoverage(at, frame.picture.xy, pixels);
+        outside *= OUTSIDE_FADE * frame.picture.y;
         if (share > 0.0) {
-            vec4 seen = fetchPyramid(screenPyramid, at, frame.picture.xy, pixels * pixels, frame.picture.w);
+            float variance = pixels * pixels + dot(outside, outside);
+            vec4 seen = fetchPyramid(screenPyramid, at, frame.picture.xy, variance, frame.picture.w);
             // Where less than half of the blur falls on what can be behind, the environment comes in for the rest.
             share *= min(2.0 * seen.w, 1.0);
             near = seen.w > 0.0 ? seen.xyz / seen.w : vec3(0.0);
