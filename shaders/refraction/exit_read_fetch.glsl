@@ -2,7 +2,7 @@
 // Frame    world, metres; those of exit_surface.glsl and interior_fetch.glsl.
 // alpha    ExitHit: width of D of the surface met, in [0, 1].
 // Returns  exitRead: the surface that a layer shows about the ray's place at t, and where the ray meets it; found 0 if the
-//          nearest texel shows none that the ray can meet there. Never NaN. exitNone: the hit that is none.
+//          texels show none that the ray can meet there. Never NaN. exitNone: the hit that is none.
 // Source   exit_search.glsl.
 // Limits   what is narrower than a texel.
 #ifndef GG_REFRACTION_EXIT_READ_FETCH_GLSL
@@ -32,7 +32,7 @@ ExitHit exitNone(vec3 point, vec3 direction) {
   return hit;
 }
 
-// Position and normal between the four texels about the ray's place at t, of those that belong to the nearest one's surface.
+// Position and normal between the four texels about the ray's place at t, of those that belong to one surface.
 ExitHit exitRead(usampler2DArray interior, int layer, InteriorView view, ExitRay ray, float solid, vec3 origin, vec3 direction,
                  float t) {
   ExitHit hit = exitNone(origin, direction);
@@ -48,9 +48,18 @@ ExitHit exitRead(usampler2DArray interior, int layer, InteriorView view, ExitRay
     bits[k] = texelFetch(interior, ivec3(texel, layer), 0);
     s[k] = interiorSurface(view, bits[k], texel);
   }
-  int nearest = (between.x > 0.5 ? 1 : 0) + (between.y > 0.5 ? 2 : 0);
-  InteriorSurface own = s[nearest];
-  if (float(bits[nearest].w) != solid || dot(direction, own.n) <= 0.0) return hit;
+  // Where several surfaces show, the one that the steps have led to.
+  float least = EXIT_FAR;
+  InteriorSurface own = s[0];
+  for (int k = 0; k < 4; ++k) {
+    if (float(bits[k].w) != solid || dot(direction, s[k].n) <= 0.0) continue;
+    float apart = abs(exitPlane(origin, direction, s[k].point, s[k].n) - t);
+    if (apart < least) {
+      least = apart;
+      own = s[k];
+    }
+  }
+  if (least == EXIT_FAR) return hit;
   vec4 weights = vec4((1.0 - between.x) * (1.0 - between.y), between.x * (1.0 - between.y), (1.0 - between.x) * between.y,
                       between.x * between.y);
   float shown = 0.0;
@@ -68,7 +77,8 @@ ExitHit exitRead(usampler2DArray interior, int layer, InteriorView view, ExitRay
     hit.alpha += weights[k] * unpackHalf2x16(bits[k].z).x;
     ++same;
   }
-  point /= total; // the nearest texel weighs at least a quarter
+  if (!(total > 0.0)) return hit;
+  point /= total;
   n = normalize(n);
   float met = exitPlane(origin, direction, point, n);
   vec2 moved = exitAt(ray, met).xy - at;

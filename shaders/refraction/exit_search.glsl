@@ -2,9 +2,10 @@
 // Frame    that of exit_surface.glsl; t in metres along the ray, whose direction is unit.
 // alpha    none.
 // Returns  exitRay, exitAt: the ray in the picture: x, y in texels, depth, and the w of clip space (<= 0: behind the camera).
-//          exitInside: > 0 inside the solid, by how much depth; EXIT_NOWHERE where the layers hold nothing.
-//          exitSecant: the zero between a point inside and one outside. exitSpacing: the k-th of EXIT_STEPS distances to look
-//          at, in units of the guess. exitPlane: t at which the ray meets the plane of a surface.
+//          exitStretches, exitInside: the parts of a line of sight that are inside, and how deep in each a place is.
+//          exitLearn: a place more that is known. exitSecant: where between its ends a crossing is likely.
+//          exitSpacing: the k-th of EXIT_STEPS distances to look at, in units of the guess.
+//          exitPlane: t at which the ray meets the plane of a surface.
 //          exitSame: whether two texels belong to one smooth surface. exitCurvature: normal curvatures in the plane of the ray
 //          and across it, 1/m, positive where the solid bulges; 0 where the texels do not resolve them.
 // Source   [Wyman05] for refraction by layers of front and back faces; the search was chosen by ray casting nine meshes.
@@ -14,7 +15,8 @@
 
 #include "refraction/exit_surface.glsl"
 
-const float EXIT_NOWHERE = -2.0; // depths lie in 0 .. 1, so nothing measured is as low
+const float EXIT_NOWHERE = -2.0; // inside by less than any depth: nothing is there
+const float EXIT_FAR = 1.0e30;   // beyond everything
 const int EXIT_STEPS = 12;
 
 struct ExitRay {
@@ -42,24 +44,46 @@ bool exitOnPicture(InteriorView view, vec4 at) {
   return at.w > 0.0 && at.x >= 0.0 && at.y >= 0.0 && at.x < view.size.x && at.y < view.size.y;
 }
 
-// depths: F1, B1, F2, B2, 0 where there is none. `slack`: depth by which front faces are moved towards the viewer, since the
-// texel that a ray starts in shows a point of its surface up to half a texel away.
-float exitInside(vec4 depths, float depth, float slack) {
-  // Before the nearest front face there is a back face: the camera stands in the glass, and F1 opens the second pair.
-  bool within = depths.x < depths.y;
-  float front1 = within ? 2.0 : depths.x + slack; // 2: nearer than everything
-  float front2 = (within ? depths.x : depths.z) + slack;
-  float inside = EXIT_NOWHERE;
-  if (depths.y > 0.0) inside = min(front1 - depth, depth - depths.y);
-  if (depths.w > 0.0) inside = max(inside, min(front2 - depth, depth - depths.w));
+// depths: F1, B1, F2, B2, 0 where there is none. Returns front and back of the first stretch that is inside, then of the second.
+vec4 exitStretches(vec4 depths) {
+  // Before the nearest front face there is a back face: the camera stands in the glass, and F1 opens the second stretch.
+  if (depths.x < depths.y) return vec4(2.0, depths.y, depths.x, depths.w); // 2: nearer than everything
+  // The second front face before the first back face: two bodies overlap, what lies between is inside of both.
+  if (depths.z > depths.y && depths.w > 0.0) return vec4(depths.x, depths.w, 0.0, 0.0);
+  return depths;
+}
+
+vec2 exitInside(vec4 stretches, float depth) {
+  vec2 inside = vec2(EXIT_NOWHERE);
+  if (stretches.y > 0.0) inside.x = min(stretches.x - depth, depth - stretches.y);
+  if (stretches.w > 0.0) inside.y = min(stretches.z - depth, depth - stretches.w);
   return inside;
 }
 
-// inside, outside: exitInside there. Times w both are linear in t where the surface is flat: a secant then ends on it.
-// Where nothing was met outside, and so that no step stands still, the zero is looked for in the middle nine tenths.
-float exitSecant(float tInside, float inside, float tOutside, float outside) {
-  float share = outside <= EXIT_NOWHERE ? 0.5 : clamp(inside / (inside - outside), 0.05, 0.95);
-  return mix(tInside, tOutside, share);
+// What is known of the ray: inside at tInside, outside (or inside again, past a gap) at tOutside.
+struct ExitWay {
+  float tInside;
+  float inside;   // exitInside times w: linear in t where the surface is flat
+  float tOutside; // EXIT_FAR: not known
+  float outside;  // not above 0
+};
+
+// here: exitInside. Within `margin` of the surface a texel's point, up to half a texel away, does not tell inside from outside.
+ExitWay exitLearn(ExitWay way, float t, float w, float here, float margin) {
+  if (here > margin) {
+    way.tInside = t;
+    way.inside = here * w;
+  } else if (here < -margin) {
+    way.tOutside = t;
+    way.outside = here > EXIT_NOWHERE ? here * w : EXIT_NOWHERE;
+  }
+  return way;
+}
+
+// In the middle where nothing was met outside, and not at an end, where the step would stand still.
+float exitSecant(ExitWay way) {
+  float share = way.outside > EXIT_NOWHERE ? clamp(way.inside / (way.inside - way.outside), 0.05, 0.95) : 0.5;
+  return mix(way.tInside, way.tOutside, share);
 }
 
 // Dense about the guess, then ever wider: to 48 times the guess at the last step. A path through a ball that starts 5 degrees

@@ -4,143 +4,127 @@
 // Returns  findExit: where the ray next meets the solid's surface from inside, see ExitHit; never NaN. `direction` is unit;
 //          `guess`: about how far, metres, the own thickness (interiorThickness) for a first segment; `afterBounce`: the ray
 //          starts on a surface that reflected it.
-// Source   exit_search.glsl. Plane steps (Newton's, with the stored normal) from the guess, believed if three places on the way
-//          are inside; else steps outwards and two secants. Accepted only where the surface faces along the ray.
+// Source   exit_search.glsl. Plane steps from the guess, believed if three places on the way are inside and show nothing to meet
+//          before; else steps outwards to a crossing. Accepted only where the surface faces along the ray.
 // Limits   pairs 1: F1 and B1, exact for convex bodies; 2: the pair behind too. What is narrower than a texel or outside the
 //          picture is not found.
 #ifndef GG_REFRACTION_EXIT_SEARCH_FETCH_GLSL
 #define GG_REFRACTION_EXIT_SEARCH_FETCH_GLSL
 
 #include "refraction/exit_read_fetch.glsl"
+#include "refraction/exit_steps_fetch.glsl"
 
-float exitInsideAt(usampler2DArray interior, int pairs, InteriorView view, vec4 at, float solid) {
-  if (!exitOnPicture(view, at)) return EXIT_NOWHERE;
-  return exitInside(interiorDepths(interior, pairs, ivec2(at.xy), solid), at.z, 2.0 * interiorTexelDepth(view, at.z));
-}
-
-// What is known of the way: inside up to tInside, outside at tOutside.
-struct ExitWay {
-  float tInside;
-  float inside;  // exitInside times w there: linear in t where the surface is flat
-  float tOutside;
-  float outside;
-  int steps;     // of the march, so far
-  bool open;     // the march has come inside since the last crossing
+struct ExitMarch {
+  float first; // the k-th step looks at first + unit exitSpacing(k)
+  float unit;
+  int steps;
+  int stretch; // of the last place inside: 1 or 2; 0: not known
+  bool open;   // a place inside has been seen since the last crossing
+  ExitWay way;
   float reads;
 };
 
-const float EXIT_FAR = 1.0e30; // nothing is known to be outside
+int exitStretch(vec2 inside) { return inside.x >= inside.y ? 1 : 2; }
 
-ExitWay exitLearn(ExitWay way, float t, float w, float here, float least) {
-  if (here > least) {
-    way.tInside = t;
-    way.inside = here * w;
-  } else if (here < -least) {
-    way.tOutside = t;
-    way.outside = here > EXIT_NOWHERE ? here * w : EXIT_NOWHERE;
+// Onwards to the next crossing: out, or over into the other stretch, as a gap may lie between the two.
+ExitMarch exitOnwards(usampler2DArray interior, int pairs, InteriorView view, ExitRay ray, float solid, ExitMarch m) {
+  m.way.tOutside = EXIT_FAR;
+  while (m.steps < EXIT_STEPS && m.way.tOutside == EXIT_FAR) {
+    float t = m.first + m.unit * exitSpacing(++m.steps);
+    vec4 at = exitAt(ray, t);
+    vec2 both = exitInsideAt(interior, pairs, view, at, solid);
+    float here = max(both.x, both.y);
+    float margin = 2.0 * interiorTexelDepth(view, at.z);
+    bool within = here > margin;
+    bool over = within && m.open && m.stretch != 0 && exitStretch(both) != m.stretch;
+    m.reads += 1.0;
+    if (over) {
+      m.way.tOutside = t;
+      m.way.outside = EXIT_NOWHERE;
+    } else if (within || m.open) {
+      m.way = exitLearn(m.way, t, at.w, here, margin);
+    }
+    if (within) m.stretch = exitStretch(both);
+    m.open = within || (m.open && m.way.tOutside == EXIT_FAR);
   }
-  return way;
+  return m;
 }
 
-struct ExitSteps {
-  float t; // negative: nothing was met
-  int layer;
-  ExitWay way;
+struct ExitDoubt {
+  bool believed;
+  float earlier; // where something is met before; -1: nowhere
+  float reads;
 };
 
-// Newton's steps along the ray from t: to the plane that the texel there shows, and on from there, between what is known to
-// be inside and outside. Within a texel's width of the surface neither is known; and without an end the way to t may have been
-// outside in between, so that nothing is learned of it.
-ExitSteps exitSteps(usampler2DArray interior, int pairs, InteriorView view, ExitRay ray, float solid, vec3 origin, vec3 direction,
-                    float t, ExitWay way) {
-  ExitSteps s;
-  s.t = -1.0;
-  s.layer = INTERIOR_B1;
-  s.way = way;
-  ivec2 last = ivec2(-1);
-  bool bracketed = way.tOutside < EXIT_FAR;
-  for (int k = 0; k < (bracketed ? 5 : 3); ++k) {
-    vec4 at = exitAt(ray, t);
-    if (exitOnPicture(view, at)) {
-      if (s.t > 0.0 && ivec2(at.xy) == last) break; // the same texel shows the same plane
-      last = ivec2(at.xy);
-      InteriorMeeting met = interiorMeeting(interior, pairs, view, at.xyz, solid, origin, direction, t, s.way.tInside, s.way.tOutside);
-      if (bracketed) s.way = exitLearn(s.way, t, at.w, met.inside, interiorTexelDepth(view, at.z));
-      s.way.reads += 1.0;
-      s.t = met.t;
-      s.layer = met.layer;
-    } else {
-      if (bracketed) s.way = exitLearn(s.way, t, 1.0, EXIT_NOWHERE, 0.0);
-      s.t = -1.0;
-    }
-    if (!bracketed && s.t < 0.0) break;
-    if (s.t <= s.way.tInside || s.t >= s.way.tOutside) s.t = -1.0;
-    t = s.t > 0.0 ? s.t : 0.5 * (s.way.tInside + s.way.tOutside);
+// Whether the ray can have come to t through the inside alone: asked at three places on the way.
+ExitDoubt exitDoubt(usampler2DArray interior, int pairs, InteriorView view, ExitRay ray, float solid, vec3 origin, vec3 direction,
+                    float t, float first, int stretch) {
+  ExitDoubt doubt;
+  doubt.believed = true;
+  doubt.earlier = -1.0;
+  doubt.reads = 0.0;
+  vec2 end = exitAt(ray, t).xy;
+  for (int k = 1; k < 4 && doubt.believed; ++k) {
+    float place = mix(first, t, 0.25 * float(k));
+    vec4 at = exitAt(ray, place);
+    doubt.believed = exitOnPicture(view, at);
+    if (!doubt.believed) break;
+    ExitMeeting met = exitMeeting(interior, pairs, view, at, solid, origin, direction, place, place, t);
+    doubt.reads += 1.0;
+    if (stretch == 0) stretch = exitStretch(met.inside);
+    vec2 apart = exitAt(ray, met.t).xy - end;
+    if (met.t > 0.0 && dot(apart, apart) > 4.0) doubt.earlier = met.t; // two texels: no matter of rounding to texels
+    doubt.believed = max(met.inside.x, met.inside.y) > -2.0 * interiorTexelDepth(view, at.z) &&
+                     exitStretch(met.inside) == stretch && doubt.earlier < 0.0;
   }
-  return s;
-}
-
-// Onwards to the next crossing; tOutside stays EXIT_FAR if none is met.
-ExitWay exitMarch(usampler2DArray interior, int pairs, InteriorView view, ExitRay ray, float solid, float first, float unit,
-                  ExitWay way) {
-  way.tOutside = EXIT_FAR;
-  while (way.steps < EXIT_STEPS && way.tOutside == EXIT_FAR) {
-    float t = first + unit * exitSpacing(++way.steps);
-    vec4 at = exitAt(ray, t);
-    float here = exitInsideAt(interior, pairs, view, at, solid);
-    way.reads += 1.0;
-    if (here > 0.0 || way.open) way = exitLearn(way, t, at.w, here, 0.0);
-    if (here > 0.0) way.open = true;
-  }
-  return way;
+  return doubt;
 }
 
 ExitHit findExit(usampler2DArray interior, InteriorView view, int pairs, float solid, vec3 origin, vec3 direction, float guess,
                  bool afterBounce) {
   ExitRay ray = exitRay(view, origin, direction);
   float texel = interiorTexelWidth(view, ray.origin.w);
-  float first = afterBounce ? 1.5 * texel : 0.0; // or the ray would meet the surface that it starts from
-  float unit = max(guess, texel);
-  vec4 start = exitAt(ray, first);
-  // The way before says little of the way on, if it was short: what lies behind the bounce's own place says more.
+  ExitMarch march;
+  march.first = afterBounce ? 1.5 * texel : 0.0; // or the ray would meet the surface that it starts from
+  march.unit = max(guess, texel);
+  // A short way before a bounce says little of the way on: what lies behind the bounce's own place says more.
+  vec4 start = exitAt(ray, march.first);
   if (afterBounce && exitOnPicture(view, start))
-    unit = max(unit, interiorThickness(interior, view, ivec2(start.xy), solid));
-  ExitWay way;
-  way.tInside = first;
-  way.inside = 0.0;
-  way.tOutside = EXIT_FAR;
-  way.outside = EXIT_NOWHERE;
-  way.steps = 0;
-  way.open = true;
-  way.reads = 0.0;
-  float lastInside = first;
+    march.unit = max(march.unit, interiorThickness(interior, view, ivec2(start.xy), solid));
+  march.steps = 0;
+  march.stretch = afterBounce ? 0 : 1;
+  march.open = true;
+  march.way.tInside = march.first;
+  march.way.inside = 0.0;
+  march.way.tOutside = EXIT_FAR;
+  march.way.outside = EXIT_NOWHERE;
+  march.reads = 0.0;
   ExitHit hit = exitNone(origin, direction);
-  // Round 0: plane steps from the guess. Then the crossings that a march meets, until one faces along the ray: two at most.
-  for (int round = 0; round < 3 && hit.found == 0.0 && way.steps < EXIT_STEPS; ++round) {
-    float t = first + unit;
-    ExitWay known = way;
-    if (round > 0) {
-      way = exitMarch(interior, pairs, view, ray, solid, first, unit, way);
-      lastInside = way.tInside;
-      if (way.tOutside == EXIT_FAR) break;
-      way.open = false;
-      known = way;
-      t = exitSecant(way.tInside, way.inside, way.tOutside, way.outside);
+  float guessed = march.first + march.unit; // where to step from; -1: nowhere, march
+  for (int round = 0; round < 5 && hit.found == 0.0 && march.steps < EXIT_STEPS; ++round) {
+    float t = guessed;
+    if (guessed < 0.0) {
+      march = exitOnwards(interior, pairs, view, ray, solid, march);
+      if (march.way.tOutside == EXIT_FAR) break;
+      t = exitSecant(march.way);
     }
-    ExitSteps s = exitSteps(interior, pairs, view, ray, solid, origin, direction, t, known);
-    way.reads = s.way.reads;
+    ExitSteps s = exitSteps(interior, pairs, view, ray, solid, origin, direction, t, march.way);
+    march.reads += s.reads;
     bool believed = s.t > 0.0;
-    for (int k = 1; round == 0 && believed && k < 4; ++k) {
-      vec4 at = exitAt(ray, mix(first, s.t, 0.25 * float(k)));
-      believed = exitInsideAt(interior, pairs, view, at, solid) > 0.0;
-      way.reads += 1.0;
+    if (guessed > 0.0 && believed) {
+      ExitDoubt doubt = exitDoubt(interior, pairs, view, ray, solid, origin, direction, s.t, march.first, march.stretch);
+      march.reads += doubt.reads;
+      believed = doubt.believed;
+      guessed = round < 2 ? doubt.earlier : -1.0;
+    } else {
+      guessed = -1.0;
     }
     if (!believed) continue;
     hit = exitRead(interior, s.layer, view, ray, solid, origin, direction, s.t);
-    way.reads += 4.0;
+    march.reads += 4.0;
   }
-  hit.reads = way.reads;
-  if (hit.found == 0.0) hit.point = origin + lastInside * direction;
+  hit.reads = march.reads;
+  if (hit.found == 0.0) hit.point = origin + march.way.tInside * direction;
   return hit;
 }
 

@@ -6,8 +6,6 @@
 // Returns  interiorDepths: of F1 B1 F2 B2; 0 where there is nothing of this solid.
 //          interiorThickness: metres from the solid's front to its back at a texel; 0 where there is no back face.
 //          interiorSurface: point and outward normal that a texel holds.
-//          interiorMeeting: of the surfaces at a place (x, y, depth) that the ray can meet from inside between tLow and tHigh,
-//          the one whose plane it meets nearest to t.
 // Source   exit_search.glsl.
 // Limits   texels must lie in the picture. pairs: 1 reads F1 and B1 only.
 #ifndef GG_REFRACTION_INTERIOR_FETCH_GLSL
@@ -52,39 +50,6 @@ InteriorSurface interiorSurface(InteriorView view, uvec4 bits, ivec2 at) {
   s.point = interiorWorld(view, vec2(at) + 0.5, uintBitsToFloat(bits.x));
   s.n = octDecode(unpackSnorm2x16(bits.y));
   return s;
-}
-
-struct InteriorMeeting {
-  float t;      // -1: there is none
-  int layer;
-  float inside; // exitInside at the place asked for
-};
-
-InteriorMeeting interiorMeeting(usampler2DArray interior, int pairs, InteriorView view, vec3 place, float solid, vec3 origin,
-                                vec3 direction, float t, float tLow, float tHigh) {
-  ivec2 at = ivec2(place.xy);
-  uvec4 bits[4];
-  vec4 depths = vec4(0.0);
-  for (int layer = 0; layer < 2 * pairs; ++layer) {
-    bits[layer] = texelFetch(interior, ivec3(at, layer), 0);
-    depths[layer] = float(bits[layer].w) == solid ? uintBitsToFloat(bits[layer].x) : 0.0;
-  }
-  InteriorMeeting best;
-  best.t = -1.0;
-  best.layer = INTERIOR_B1;
-  best.inside = exitInside(depths, place.z, 2.0 * interiorTexelDepth(view, place.z));
-  // Where the second front face comes before the first back face two bodies overlap: what lies between is inside of both.
-  bool overlap = depths.x > depths.y && depths.z > depths.y && depths.w > 0.0;
-  for (int layer = 0; layer < 2 * pairs; ++layer) {
-    if (depths[layer] == 0.0 || (overlap && (layer == INTERIOR_B1 || layer == INTERIOR_F1 + 2))) continue;
-    InteriorSurface s = interiorSurface(view, bits[layer], at);
-    float own = exitPlane(origin, direction, s.point, s.n);
-    if (dot(direction, s.n) > 0.0 && own > tLow && own < tHigh && (best.t < 0.0 || abs(own - t) < abs(best.t - t))) {
-      best.t = own;
-      best.layer = layer;
-    }
-  }
-  return best;
 }
 
 #endif
