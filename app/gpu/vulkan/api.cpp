@@ -46,10 +46,6 @@ Library::Library(const std::string& file) {
       reinterpret_cast<PFN_vkEnumerateInstanceVersion>(get_(nullptr, "vkEnumerateInstanceVersion"));
 }
 
-Library::~Library() {
-  ::dlclose(handle_);
-}
-
 InstanceFunctions Library::functions(VkInstance instance) const {
   InstanceFunctions found;
 #define GG_VULKAN_LOAD(NAME)                                                                       \

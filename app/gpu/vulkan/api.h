@@ -114,12 +114,12 @@ struct DeviceFunctions {
 };
 #undef GG_VULKAN_MEMBER
 
-// The loader, libvulkan.so.1, and the entry points that need no instance.
+// The loader, libvulkan.so.1, and the entry points that need no instance. Once it has been found good it is never closed: an
+// instance stays open (instance.cpp).
 class Library {
 public:
   // Throws Error(device) if `file` cannot be loaded or is no Vulkan loader.
   explicit Library(const std::string& file = "libvulkan.so.1");
-  ~Library();
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
 

@@ -32,6 +32,18 @@ bool has_extension(const Library& library, const char* layer, const char* name) 
   });
 }
 
+// The loader unloads drivers and layers with the last instance that uses them, while they still own memory and threads: a leak
+// checker then finds memory from code that is gone, and opening the next device loads everything again. So, as EGL's
+// displays do (surface/egl.cpp), one instance with these layers and one without stay open until the process ends.
+void stay_loaded(const Library& library, VkInstanceCreateInfo info) {
+  static std::mutex mutex;
+  static std::array<VkInstance, 2> kept{};
+  const std::lock_guard lock(mutex);
+  VkInstance& instance = kept[info.enabledLayerCount ? 1 : 0];
+  info.pNext = nullptr; // a messenger hears of the instance that it was made for
+  if (!instance) check(library.CreateInstance(&info, nullptr, &instance), "starting Vulkan");
+}
+
 } // namespace
 
 Instance::Instance(bool debug, const std::string& loader) : library_(loader) {
@@ -80,6 +92,7 @@ Instance::Instance(bool debug, const std::string& loader) : library_(loader) {
                                   .enabledExtensionCount =
                                       static_cast<std::uint32_t>(extensions.size()),
                                   .ppEnabledExtensionNames = extensions.data()};
+  stay_loaded(library_, info);
   check(library_.CreateInstance(&info, nullptr, &handle_), "starting Vulkan");
   try {
     functions_ = library_.functions(handle_);
