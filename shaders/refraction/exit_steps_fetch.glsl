@@ -71,7 +71,8 @@ ExitSteps exitSteps(usampler2DArray interior, int pairs, InteriorView view, Exit
       // A texel shows a point up to half of it away, so that its plane may be met as far before or behind the ends.
       vec2 speed = (ray.direction.xy - at.xy * ray.direction.w) / at.w;
       float room = closed ? min(inversesqrt(dot(speed, speed)), way.tOutside - way.tInside) : 0.0;
-      ExitMeeting met = exitMeeting(interior, pairs, view, at, solid, origin, direction, t, way.tInside - room, way.tOutside + room);
+      ExitMeeting met = exitMeeting(interior, pairs, view, at, solid, origin, direction, t, way.tInside - room,
+                                    way.tOutside + room);
       s.reads += 1.0;
       s.t = met.t;
       s.layer = met.layer;
