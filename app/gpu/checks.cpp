@@ -47,6 +47,20 @@ std::string describe(const TextureDesc& desc) {
          + std::to_string(desc.levels) + (desc.levels == 1 ? " level)" : " levels)");
 }
 
+std::string describe(const SamplerDesc& desc) {
+  std::string text = desc.magnify == Filter::linear && desc.minify == Filter::linear ? "linear"
+                     : desc.magnify == desc.minify                                   ? "nearest"
+                                                                                     : "mixed";
+  if (desc.between_levels == Filter::linear) text += " between levels too";
+  if (desc.max_anisotropy > 1.0f) text += ", anisotropic";
+  const bool same = desc.u == desc.v && desc.v == desc.w;
+  text += !same                    ? ", wraps mixed"
+          : desc.u == Wrap::clamp  ? ", clamped"
+          : desc.u == Wrap::repeat ? ", repeated"
+                                   : ", mirrored";
+  return text;
+}
+
 void check(const BufferDesc& desc, std::span<const std::byte> contents, const Limits& limits) {
   if (desc.label.empty()) wrong("a buffer", "has no label");
   if (desc.bytes == 0) wrong(describe(desc), "is empty");

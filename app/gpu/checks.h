@@ -24,6 +24,7 @@ struct Limits {
 // "texture 'name' (1024 x 512, 3 levels)", for messages.
 std::string describe(const BufferDesc& desc);
 std::string describe(const TextureDesc& desc);
+std::string describe(const SamplerDesc& desc); // "linear, repeat", as its label
 
 // Throw Error(internal) for what is wrong on every device, Error(device) for what is too large for
 // this one.

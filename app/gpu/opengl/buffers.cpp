@@ -53,7 +53,7 @@ GlSampler::GlSampler(ContextRef owner, const SamplerDesc& what)
   if (desc.max_anisotropy > 1.0f && context->max_anisotropy() > 1.0f)
     gl.SamplerParameterf(name, GL_TEXTURE_MAX_ANISOTROPY_EXT,
                          std::min(desc.max_anisotropy, context->max_anisotropy()));
-  context->label(GL_SAMPLER, name, desc.minify == Filter::linear ? "linear" : "nearest");
+  context->label(GL_SAMPLER, name, describe(desc));
   context->check("creating a sampler");
   ++context->counters.created;
 }

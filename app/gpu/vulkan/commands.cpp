@@ -59,6 +59,7 @@ Commands::Commands(Context& context) : context_(context) {
                                        .queueFamilyIndex = context.adapter().queue_family};
     check(vk.CreateCommandPool(context.device(), &pool, nullptr, &made.pool),
           "creating a command pool");
+    context.name(VK_OBJECT_TYPE_COMMAND_POOL, made.pool, fmt::format("commands {}", i));
     const VkCommandBufferAllocateInfo buffer{.sType =
                                                  VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
                                              .commandPool = made.pool,

@@ -45,6 +45,8 @@ Context::Context(const DeviceDesc& desc) {
   try {
     vk_ = Library::functions(functions, device_);
     vk_.GetDeviceQueue(device_, adapter_.queue_family, 0, &queue_);
+    name(VK_OBJECT_TYPE_DEVICE, device_, adapter_.info.name);
+    name(VK_OBJECT_TYPE_QUEUE, queue_, "queue");
 
     const VkSemaphoreTypeCreateInfo type{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO,
                                          .semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE};
@@ -140,6 +142,9 @@ Allocation Context::take(const VkMemoryRequirements& wanted, MemoryKind kind, bo
     result = memory_->take(wanted, kind, linear, allocation);
   }
   if (result != VK_SUCCESS) throw error_of(result, doing);
+  if (counters.allocations != memory_->block_count())
+    name(VK_OBJECT_TYPE_DEVICE_MEMORY, allocation.memory,
+         "memory block " + std::to_string(memory_->block_count()));
   counters.allocations = memory_->block_count();
   return allocation;
 }

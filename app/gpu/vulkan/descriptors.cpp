@@ -38,12 +38,16 @@ SetLayouts::~SetLayouts() {
 const SetLayout& SetLayouts::find_or_make(std::span<const shaders::Binding> bindings,
                                           VkShaderStageFlags stages) {
   Key key{stages, {}};
-  for (const auto& binding : bindings)
+  std::string label;
+  for (const auto& binding : bindings) {
+    label += (label.empty() ? "" : ", ") + binding.name;
     key.second.emplace_back(binding.binding, descriptor_type(binding.kind));
+  }
   std::sort(key.second.begin(), key.second.end());
   if (const auto found = layouts_.find(key); found != layouts_.end()) return *found->second;
 
   auto layout = std::make_unique<SetLayout>();
+  layout->label = label.empty() ? "nothing" : std::move(label);
   std::vector<VkDescriptorSetLayoutBinding> entries;
   std::map<VkDescriptorType, std::uint32_t> counts;
   for (const auto& [binding, type] : key.second) {
@@ -69,6 +73,8 @@ const SetLayout& SetLayouts::find_or_make(std::span<const shaders::Binding> bind
     vk.DestroyDescriptorSetLayout(context_.device(), layout->set, nullptr);
     throw error_of(result, "creating the layout of a pipeline");
   }
+  context_.name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, layout->set, layout->label);
+  context_.name(VK_OBJECT_TYPE_PIPELINE_LAYOUT, layout->pipeline, layout->label);
   context_.counters.created += 2;
   return *layouts_.emplace(std::move(key), std::move(layout)).first->second;
 }
@@ -122,6 +128,7 @@ VkDescriptorSet SetCache::take_blank(const SetLayout& layout, Sets& sets) {
     check(context_.vk().CreateDescriptorPool(context_.device(), &info, nullptr, &pool),
           "creating a pool of descriptors");
     pools_.push_back(pool);
+    context_.name(VK_OBJECT_TYPE_DESCRIPTOR_POOL, pool, layout.label);
     const std::vector<VkDescriptorSetLayout> layouts(sets_at_once, layout.set);
     const VkDescriptorSetAllocateInfo allocate{.sType =
                                                    VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
@@ -131,6 +138,8 @@ VkDescriptorSet SetCache::take_blank(const SetLayout& layout, Sets& sets) {
     std::vector<VkDescriptorSet> made(sets_at_once);
     check(context_.vk().AllocateDescriptorSets(context_.device(), &allocate, made.data()),
           "allocating descriptor sets");
+    for (VkDescriptorSet set : made)
+      context_.name(VK_OBJECT_TYPE_DESCRIPTOR_SET, set, layout.label);
     sets.blank = std::move(made);
     ++context_.counters.created;
   }

@@ -22,6 +22,7 @@ VkDescriptorType descriptor_type(shaders::Kind kind);
 struct SetLayout {
   VkDescriptorSetLayout set = VK_NULL_HANDLE;
   VkPipelineLayout pipeline = VK_NULL_HANDLE;
+  std::string label;                       // the names bound by the pipeline that it was made for
   std::vector<VkDescriptorPoolSize> sizes; // of one set; the counts are not 0
 };
 

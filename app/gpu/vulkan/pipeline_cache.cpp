@@ -96,6 +96,7 @@ PipelineCache::PipelineCache(Context& context)
                                        .pInitialData = loaded_.data()};
   check(context.vk().CreatePipelineCache(context.device(), &info, nullptr, &handle_),
         "creating the pipeline cache");
+  context.name(VK_OBJECT_TYPE_PIPELINE_CACHE, handle_, "pipeline cache");
 }
 
 PipelineCache::~PipelineCache() {

@@ -190,6 +190,7 @@ GpuSampler::GpuSampler(std::shared_ptr<Context> owner, const SamplerDesc& what)
                                  .maxLod = one_level ? 0.25f : desc.max_level};
   check(context->vk().CreateSampler(context->device(), &info, nullptr, &handle),
         "creating a sampler");
+  context->name(VK_OBJECT_TYPE_SAMPLER, handle, describe(desc));
   serial = context->next_serial();
   ++context->counters.created;
 }
