@@ -34,30 +34,30 @@ vec3 multiplyScattered(Surface s, float albedo, vec3 meanFresnel) {
 // What arrives along a tap of the reflection: with company, what the picture shows where the tap meets it.
 vec3 reflectedRadiance(Surface s, LobeTap tap) {
     if (!looksAround) return farRadiance(tap.direction, tap.sigma);
-    Beam beam;
-    beam.origin = s.position;
-    beam.direction = tap.direction;
-    beam.sigma = tap.sigma;
-    beam.inner = 0.0;
-    beam.carried = 0.0;
-    beam.inside = 0.0;
-    // An opaque surface stands in the depth that is searched: begin two of its pixels off it.
-    if (transmission == 0) {
-        float pixel = frame.eye.w > 0.0 ? length(s.position - frame.eye.xyz) / frame.picture.z : 1.0 / frame.picture.z;
-        beam.origin += 2.0 * pixel * (s.n + tap.direction);
-    }
-    return beamRadiance(beam, meetBackdrop(beam.origin, tap.direction, transmission > 0));
+    // The surface itself stands in the depth that is searched: begin two of its pixels off it.
+    float pixel = (frame.eye.w > 0.0 ? length(s.position - frame.eye.xyz) : 1.0) / frame.picture.z;
+    Beam beam = straightBeam(s.position + 2.0 * pixel * (s.n + tap.direction), tap.direction, tap.sigma);
+    return beamRadiance(beam, meetBackdrop(beam.origin, tap.direction, false));
 }
 
-vec3 environmentLight(Surface s) {
+// The reflection lobe: what arrives along the tap is seen times the weight. And all else that the surroundings make of the
+// surface: diffuse light under it, and what scattered more than once.
+struct EnvironmentLight {
+    LobeTap tap;
+    vec3 weight;
+    vec3 diffuse;
+};
+
+EnvironmentLight environmentLobe(Surface s) {
     float cosO = dot(s.n, s.wo);
     LobeEnergy energy = fetchLobeEnergy(energyTable, cosO, s.alpha);
     vec3 reflectance = lobeMeanRgb(energy, materialFresnel(s, energy.cos1), materialFresnel(s, energy.cos2));
 
-    LobeTap tap;
-    if (method == 0) tap = fetchStandardTap(lobeTable, s.wo, s.n, s.alpha);
-    else tap = fetchLobeTap(lobeTable, s.wo, s.n, s.alpha, edgeShare(meanOf(materialFresnel(s, 1.0)), meanOf(reflectance)));
-    vec3 radiance = energy.albedo * reflectance * reflectedRadiance(s, tap);
+    EnvironmentLight light;
+    if (method == 0) light.tap = fetchStandardTap(lobeTable, s.wo, s.n, s.alpha);
+    else light.tap = fetchLobeTap(lobeTable, s.wo, s.n, s.alpha, edgeShare(meanOf(materialFresnel(s, 1.0)), meanOf(reflectance)));
+    light.weight = s.occlusion * energy.albedo * reflectance;
+    light.diffuse = vec3(0.0);
 
     bool hasBase = shading == 1 || shading == 3;
     if (hasBase || multipleScattering) {
@@ -68,9 +68,15 @@ vec3 environmentLight(Surface s) {
             float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
             float base = shading == 3 ? 1.0 - s.metallic : 1.0;
             if (transmission > 0) base *= 1.0 - s.transmission;
-            radiance += base * under * s.baseColor * frame.environment.z * around;
+            light.diffuse += base * under * s.baseColor * frame.environment.z * around;
         }
-        if (multipleScattering) radiance += multiplyScattered(s, energy.albedo, reflectance) * frame.environment.z * around;
+        if (multipleScattering) light.diffuse += multiplyScattered(s, energy.albedo, reflectance) * frame.environment.z * around;
     }
-    return s.occlusion * radiance;
+    light.diffuse *= s.occlusion;
+    return light;
+}
+
+vec3 environmentLight(Surface s) {
+    EnvironmentLight light = environmentLobe(s);
+    return light.diffuse + light.weight * reflectedRadiance(s, light.tap);
 }

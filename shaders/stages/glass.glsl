@@ -1,9 +1,11 @@
-// glass.glsl: light that comes through a surface of glass, by taps of the tables.
+// glass.glsl: the light that comes through a surface of glass, as beams that leave it.
 // Frame    world, metres; directions unit. eta = n_far / n_near of the face in question.
 // Needs    stages/surface.glsl, stages/surroundings.glsl, interface/material.glsl, stages/object.glsl.
 // Source   DESIGN.md §2 (1)-(5); refraction/composition.glsl; refraction/exit_search.glsl.
 // Energy   what the first face lets in either leaves where the ray first comes to a face, or is thrown back there and is followed
-//          to the next, or is what is left over, which takes one wide lookup of the environment.
+//          to the next, or is left over, which takes one wide lookup.
+// Form     every lookup is made in one place (glassRadiance): machines that run pixels in lockstep pay for all that is
+//          written, taken or not.
 #include "bsdf/transmission.glsl"
 #include "refraction/composition_fetch.glsl"
 #include "refraction/exit_search_fetch.glsl"
@@ -12,217 +14,224 @@ layout(binding = 22) uniform sampler3D interfaceEnergyTable;
 layout(binding = 23) uniform sampler3D interfaceLobeTable;
 layout(binding = 26) uniform usampler2DArray interior; // stages/interior.frag
 
-layout(constant_id = 40) const int interiorPairs = 1; // of front and back faces
-layout(constant_id = 42) const int mostBounces = 2;   // total reflections that are followed
+layout(constant_id = 42) const int mostBounces = 2; // total reflections that are followed
 
-// What the beams of one pixel have in common.
-struct Ending {
-    Meeting meeting;
-    vec3 origin; // of the core
-    float inside; // metres
+// Light that has lost its way comes from a cone of about a radian.
+const float LEFT_OVER_SIGMA = 0.5; // radians
+
+struct WeightedBeam {
+    Beam beam;
+    vec3 weight; // 0: it is not there
 };
 
-const float LEFT_OVER_SIGMA = 0.5; // radians: light that has lost its way
+// What one pixel of glass sends, besides its reflection. The first two leave at one place and meet the same thing.
+struct GlassBeams {
+    WeightedBeam core;
+    WeightedBeam rest;
+    WeightedBeam bounced;  // leaves after total reflection
+    WeightedBeam leftOver;
+    float within; // metres to something opaque inside that ends the core; negative: none
+};
 
-// Taps that a table of this method has, for a lobe that is composed of two.
-int tapCount() { return method >= 2 && method <= 4 ? method : 1; }
-int entryTaps() { return tapCount() > 1 ? 2 : 1; }
+// Taps that the tables of this method have: what is composed of two faces needs two of each at most.
+int entryTaps() { return method > 1 ? 2 : 1; }
 
 Widening widening() { return distribution == 0 ? wideningGgx(entryTaps()) : wideningBeckmann(entryTaps()); }
 
 vec3 absorbed(float metres) { return attenuates ? exp(-metres * material.attenuation.xyz) : vec3(1.0); }
 
-Beam beamOf(ComposedTap tap, vec3 origin, float inside) {
-    Beam beam;
-    beam.origin = origin;
-    beam.direction = tap.direction;
-    beam.sigma = tap.sigma;
-    beam.inner = tap.inner;
-    beam.carried = tap.carried;
-    beam.inside = inside;
-    return beam;
+WeightedBeam weighted(ComposedTap tap, vec3 origin, float inside, vec3 weight) {
+    WeightedBeam w;
+    w.beam = straightBeam(origin, tap.direction, tap.sigma);
+    w.beam.inner = tap.inner;
+    w.beam.carried = tap.carried;
+    w.beam.inside = inside;
+    w.weight = tap.weight * weight;
+    return w;
+}
+
+WeightedBeam noBeam(vec3 origin, vec3 direction) {
+    WeightedBeam w;
+    w.beam = straightBeam(origin, direction, 0.0);
+    w.weight = vec3(0.0);
+    return w;
 }
 
 // n as another ray finds it, `apart` from the one that it is known for.
 ExitSurface exitBeside(ExitSurface s, vec3 direction, vec3 apart) {
     ExitSurface other = s;
     vec3 along = direction - dot(direction, s.n) * s.n;
-    if (dot(along, along) > 1e-12) {
-        vec3 t = normalize(along);
-        vec3 b = cross(s.n, t);
-        other.n = normalize(s.n + s.turn.x * dot(apart, t) * t + s.turn.y * dot(apart, b) * b);
-    }
+    vec3 t = along * inversesqrt(max(dot(along, along), 1e-12)); // along n every plane is the plane of incidence: no turn
+    vec3 b = cross(s.n, t);
+    other.n = normalize(s.n + s.turn.x * dot(apart, t) * t + s.turn.y * dot(apart, b) * b);
     return other;
-}
-
-ExitSurface exitOf(ExitHit hit, vec3 direction, float path, float eta) {
-    ExitSurface s;
-    s.n = hit.n;
-    s.alpha = hit.alpha;
-    s.eta = eta;
-    s.turn = exitTurn(dot(direction, hit.n), path, hit.curvature);
-    return s;
-}
-
-// The opposite face of a plate: of a thin wall, or of a mesh that has no far side, whose thickness is given.
-ExitSurface plateExit(Surface s, float eta) {
-    ExitSurface plate;
-    plate.n = -s.n;
-    plate.alpha = s.alpha;
-    plate.eta = eta;
-    plate.turn = vec2(0.0);
-    return plate;
-}
-
-// Light through the exit for the taps of the entry. `meeting` of the core is found on the way.
-vec3 throughExit(InnerTap core, InnerTap tail, ExitSurface leaving, vec3 point, float path) {
-    Widening k = widening();
-    if (entryTaps() == 1) {
-        ComposedTap tap = fetchComposed(interfaceEnergyTable, interfaceLobeTable, core, leaving, k);
-        if (!(tap.weight > 0.0)) return vec3(0.0);
-        return tap.weight * beamRadiance(beamOf(tap, point, path), meetBackdrop(point, tap.direction, true));
-    }
-    vec3 apart = tail.direction - core.direction;
-    ComposedPair pair = fetchComposedPair(interfaceEnergyTable, interfaceLobeTable, core, leaving, tail,
-                                          exitBeside(leaving, core.direction, apart), k);
-    if (!(pair.core.weight + pair.rest.weight > 0.0)) return vec3(0.0);
-    Meeting meeting = meetBackdrop(point, pair.core.weight > 0.0 ? pair.core.direction : pair.rest.direction, true);
-    vec3 sum = vec3(0.0);
-    if (pair.core.weight > 0.0) sum += pair.core.weight * beamRadiance(beamOf(pair.core, point, path), meeting);
-    if (pair.rest.weight > 0.0) {
-        // The tail leaves beside the core: as far as it ran apart inside, along the face.
-        vec3 beside = path * apart;
-        beside -= dot(beside, leaving.n) * leaving.n;
-        sum += pair.rest.weight * beamRadiance(beamOf(pair.rest, point + beside, path), meeting);
-    }
-    return sum;
 }
 
 InteriorView interiorCamera() { return interiorView(frame.clipFromWorld, frame.worldFromClip, frame.picture.xy); }
 
-// The share of a rough face's reflection that its own spread is known to: a facet's tilt turns a reflected ray by 2 cos of it.
-// Tables give a Gaussian of 1 / shape times the slope's width (composition.glsl, Widening).
+// A facet's tilt turns a reflected ray by 2 cos of it, a curved face spreads what is already spread. Tables give a Gaussian of
+// 1 / shape times the slope's width (composition_view.glsl, Widening).
 float reflectedSpread(float sigma, ExitSurface s, float cosTheta, float shape) {
     float curved = abs(1.0 - 2.0 * s.turn.x) * abs(1.0 - 2.0 * s.turn.y * cosTheta);
     float facets = 2.0 * cosTheta * s.alpha / shape;
     return min(sqrt(sigma * sigma * curved + facets * facets), 1.0);
 }
 
-// Radiance through a solid, tint apart: nothing where the surface lets nothing in.
-vec3 throughSolid(Surface s, float ior) {
-    float entered = fetchInterfaceEnergy(interfaceEnergyTable, dot(s.n, s.wo), s.alpha, ior).transmitted;
-    InnerTap core = fetchInnerTap(interfaceLobeTable, 0, entryTaps(), s.wo, s.n, s.alpha, ior, entered);
-    InnerTap tail = core;
-    if (entryTaps() > 1) tail = fetchInnerTap(interfaceLobeTable, 1, entryTaps(), s.wo, s.n, s.alpha, ior, entered);
+// Length of a unit of the mesh's, metres.
+float meshUnit() {
+    return (length(instance.worldFromMesh[0].xyz) + length(instance.worldFromMesh[1].xyz) +
+            length(instance.worldFromMesh[2].xyz)) / 3.0;
+}
+
+// How the light inside comes to the face that it leaves by.
+struct InnerPath {
+    ExitSurface first;   // where the ray first comes to a face
+    vec3 point;
+    float path;          // metres
+    ExitSurface last;    // after total reflections; the first again if there was none
+    InnerTap ray;        // that comes there
+    vec3 lastPoint;
+    float lastPath;
+    bool bounced;
+    vec3 leftDirection;  // of what is thrown back there
+    float leftSigma;
+    float left;          // its energy, of which so much gets out in the end:
+    float escapes;
+};
+
+InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Widening k) {
+    InnerPath p;
+    // A plate: the other face of a thin wall, or of a mesh that has no far side, whose thickness is given.
+    float across = transmission == 2 ? surfaceThickness() * meshUnit() : 0.0;
+    p.path = across / max(-dot(core.direction, s.n), 0.05); // a ray along the plate leaves it after 20 thicknesses
+    p.point = s.position + p.path * core.direction;
+    p.first.n = -s.n;
+    p.first.alpha = s.alpha;
+    p.first.eta = invIor;
+    p.first.turn = vec2(0.0);
+    p.ray = core;
+    p.ray.weight = entered;
+    p.bounced = false;
+    p.last = p.first;
+    p.lastPoint = p.point;
+    p.lastPath = p.path;
 
     InteriorView view = interiorCamera();
-    uint id = objectId();
-    float guess = interiorThickness(interior, view, ivec2(gl_FragCoord.xy), id);
-    Widening k = widening();
-    vec3 point = s.position;
-    vec3 light = vec3(0.0);
-    float left = entered; // light that has not left yet
-    float escapes = 1.0;
-    float path = 0.0;
-    InnerTap ray = core;
-    ray.weight = entered;
+    float guess = interiorPairs > 0 ? interiorThickness(interior, view, ivec2(gl_FragCoord.xy), objectId()) : 0.0;
+    vec3 from = s.position;
+    float run = 0.0;
     for (int bounce = 0; bounce <= mostBounces; ++bounce) {
-        ExitHit hit = findExit(interior, view, interiorPairs, id, point, ray.direction, guess, bounce > 0);
-        if (holdsOpaque) {
-            Meeting within = meetBackdrop(point, ray.direction, true);
-            if (within.seen && within.distance >= 0.0 && (within.distance < hit.distance || !(hit.found > 0.0))) {
-                Beam beam;
-                beam.origin = point;
-                beam.direction = ray.direction;
-                beam.sigma = ray.sigma;
-                beam.inner = 0.0;
-                beam.carried = 0.0;
-                beam.inside = 0.0;
-                return light + left * absorbed(path + within.distance) * beamRadiance(beam, within);
+        if (interiorPairs > 0) {
+            ExitHit hit = findExit(interior, view, interiorPairs, objectId(), from, p.ray.direction, guess, bounce > 0);
+            if (hit.found > 0.0) {
+                run += hit.distance;
+                p.last.n = hit.n;
+                p.last.alpha = hit.alpha;
+                p.last.turn = exitTurn(dot(p.ray.direction, hit.n), run, hit.curvature);
+                p.lastPoint = hit.point;
+                p.lastPath = run;
+                if (bounce == 0) {
+                    p.first = p.last;
+                    p.point = p.lastPoint;
+                    p.path = run;
+                }
+                p.bounced = bounce > 0;
+            } else if (bounce > 0) {
+                break;
             }
         }
-        if (!(hit.found > 0.0)) {
-            if (bounce > 0) break;
-            // No far side: a plate of the material's thickness.
-            vec3 scale = vec3(length(instance.worldFromMesh[0].xyz), length(instance.worldFromMesh[1].xyz),
-                              length(instance.worldFromMesh[2].xyz));
-            float across = surfaceThickness() * (scale.x + scale.y + scale.z) / 3.0;
-            float length = across / max(-dot(core.direction, s.n), 0.05);
-            return absorbed(length) *
-                   throughExit(core, tail, plateExit(s, 1.0 / ior), s.position + length * core.direction, length);
-        }
-        path += hit.distance;
-        point = hit.point;
-        ExitSurface leaving = exitOf(hit, ray.direction, path, 1.0 / ior);
-        vec3 absorption = absorbed(path);
-        ExitView seen = seeExit(ray, true, leaving, k);
-        InterfaceEnergy face = fetchInterfaceEnergy(interfaceEnergyTable, max(seen.cosTheta, 0.0), seen.alphaReflected, leaving.eta);
-        float thrownBack = ray.weight * face.reflected;
+        ExitView seen = seeExit(p.ray, true, p.last, k);
+        InterfaceEnergy face = fetchInterfaceEnergy(interfaceEnergyTable, max(seen.cosTheta, 0.0), seen.alphaReflected, invIor);
+        float thrownBack = p.ray.weight * face.reflected;
         // Of what is thrown back again and again, each time with the same shares, so much gets out: single scattering loses
-        // the rest. Beyond the critical angle of a smooth face, where nothing is lost, all of it.
-        float lost = 1.0 - face.reflected - face.transmitted;
-        escapes = face.transmitted > lost * 1e-3 ? face.transmitted / (face.transmitted + max(lost, 0.0)) : (lost > 0.01 ? 0.0 : 1.0);
-        if (bounce == 0) {
-            light += absorption * throughExit(core, tail, leaving, point, path);
-        } else {
-            float through = fetchExitEnergy(interfaceEnergyTable, seen, leaving);
-            ComposedTap tap = fetchComposedTap(interfaceLobeTable, 0, entryTaps(), ray, seen, leaving, through);
-            tap.weight = ray.weight * through; // the core stands for its tail
-            if (tap.weight > 0.0)
-                light += absorption * tap.weight * beamRadiance(beamOf(tap, point, path), meetBackdrop(point, tap.direction, true));
-        }
-        left = thrownBack;
+        // the rest. A smooth face loses nothing: below a hundredth it is the table's rounding.
+        float lost = max(1.0 - face.reflected - face.transmitted - 0.01, 0.0);
+        p.escapes = face.transmitted + lost > 0.0 ? face.transmitted / (face.transmitted + lost) : 1.0;
+        p.leftSigma = reflectedSpread(p.ray.sigma, p.last, seen.cosTheta, k.shape);
+        p.leftDirection = reflect(p.ray.direction, p.last.n);
+        p.left = thrownBack;
         // Followed where most of the light is: beyond the critical angle.
-        bool mostly = thrownBack > 0.5 * ray.weight;
-        ray.sigma = reflectedSpread(ray.sigma, leaving, seen.cosTheta, k.shape);
-        ray.direction = reflect(ray.direction, leaving.n);
-        ray.weight = thrownBack;
-        if (!mostly) break;
+        if (interiorPairs == 0 || bounce == mostBounces || thrownBack < 0.5 * p.ray.weight) break;
+        p.ray.sigma = p.leftSigma;
+        p.ray.direction = p.leftDirection;
+        p.ray.weight = thrownBack;
+        from = p.lastPoint;
     }
-    // What is left runs about as far again before it finds a way out.
-    if (left > 0.0) {
-        Beam rest;
-        rest.origin = point;
-        rest.direction = ray.direction;
-        rest.sigma = max(ray.sigma, LEFT_OVER_SIGMA);
-        rest.inner = 0.0;
-        rest.carried = 0.0;
-        rest.inside = 0.0;
-        Meeting meeting = nowhere();
-        if (looksAround) meeting = meetBackdrop(point, ray.direction, true);
-        light += left * escapes * absorbed(2.0 * path) * beamRadiance(rest, meeting);
-    }
-    return light;
+    return p;
 }
 
-// Two faces at one place.
-vec3 throughWall(Surface s, float ior) {
+// Through both faces of a solid or of a wall.
+GlassBeams throughTwoFaces(Surface s, float ior) {
     float entered = fetchInterfaceEnergy(interfaceEnergyTable, dot(s.n, s.wo), s.alpha, ior).transmitted;
     InnerTap core = fetchInnerTap(interfaceLobeTable, 0, entryTaps(), s.wo, s.n, s.alpha, ior, entered);
-    InnerTap tail = core;
-    if (entryTaps() > 1) tail = fetchInnerTap(interfaceLobeTable, 1, entryTaps(), s.wo, s.n, s.alpha, ior, entered);
-    return throughExit(core, tail, plateExit(s, 1.0 / ior), s.position, 0.0);
+    Widening k = widening();
+    InnerPath p = followInside(s, core, entered, 1.0 / ior, k);
+    vec3 absorption = absorbed(p.path);
+
+    GlassBeams beams;
+    beams.within = -1.0;
+    beams.rest = noBeam(p.point, s.n);
+    beams.bounced = noBeam(p.lastPoint, s.n);
+    if (entryTaps() == 1) {
+        ComposedTap tap = fetchComposed(interfaceEnergyTable, interfaceLobeTable, core, p.first, k);
+        beams.core = weighted(tap, p.point, p.path, absorption);
+    } else {
+        InnerTap tail = fetchInnerTap(interfaceLobeTable, 1, entryTaps(), s.wo, s.n, s.alpha, ior, entered);
+        vec3 apart = tail.direction - core.direction;
+        ComposedPair pair = fetchComposedPair(interfaceEnergyTable, interfaceLobeTable, core, p.first, tail,
+                                              exitBeside(p.first, core.direction, apart), k);
+        beams.core = weighted(pair.core, p.point, p.path, absorption);
+        // The tail leaves beside the core: as far as it ran apart inside, along the face.
+        vec3 beside = p.path * apart;
+        beside -= dot(beside, p.first.n) * p.first.n;
+        beams.rest = weighted(pair.rest, p.point + beside, p.path, absorption);
+    }
+    if (interiorPairs > 0) {
+        ExitView seen = seeExit(p.ray, true, p.last, k);
+        float through = fetchExitEnergy(interfaceEnergyTable, seen, p.last);
+        ComposedTap tap = fetchComposedTap(interfaceLobeTable, 0, entryTaps(), p.ray, seen, p.last, through);
+        tap.weight = p.bounced ? p.ray.weight * through : 0.0; // the core stands for its tail
+        beams.bounced = weighted(tap, p.lastPoint, p.lastPath, absorbed(p.lastPath));
+    }
+    // What is left runs about as far again before it gets out.
+    beams.leftOver.beam = straightBeam(p.lastPoint, p.leftDirection, max(p.leftSigma, LEFT_OVER_SIGMA));
+    beams.leftOver.weight = p.left * p.escapes * absorbed(2.0 * p.lastPath);
+
+    if (holdsOpaque) {
+        Meeting inside = meetBackdrop(s.position, core.direction, true);
+        if (inside.seen && inside.distance >= 0.0 && inside.distance < p.path) {
+            beams.core.beam = straightBeam(s.position, core.direction, core.sigma);
+            beams.core.weight = entered * absorbed(inside.distance);
+            beams.rest.weight = vec3(0.0);
+            beams.bounced.weight = vec3(0.0);
+            beams.leftOver.weight = vec3(0.0);
+            beams.within = inside.distance;
+        }
+    }
+    return beams;
 }
 
-// Out of the solid that the camera stands in. Radiance grows by the square of the index ratio (transmission.glsl).
-vec3 outOfSolid(Surface s, float ior) {
+// Out of the solid that the camera stands in. Radiance grows by the square of the index ratio (transmission.glsl). What is
+// thrown back is left over.
+GlassBeams outOfSolid(Surface s, float ior) {
     float eta = 1.0 / ior;
-    float left = fetchInterfaceEnergy(interfaceEnergyTable, dot(s.n, s.wo), s.alpha, eta).transmitted;
-    vec3 sum = vec3(0.0);
-    Meeting meeting;
+    InterfaceEnergy face = fetchInterfaceEnergy(interfaceEnergyTable, dot(s.n, s.wo), s.alpha, eta);
+    vec3 absorption = absorbed(length(s.position - frame.eye.xyz));
+    GlassBeams beams;
+    beams.within = -1.0;
+    beams.rest = noBeam(s.position, s.n);
+    beams.bounced = noBeam(s.position, s.n);
     for (int k = 0; k < entryTaps(); ++k) {
-        InnerTap tap = fetchInnerTap(interfaceLobeTable, k, entryTaps(), s.wo, s.n, s.alpha, eta, left);
-        if (k == 0) meeting = meetBackdrop(s.position, tap.direction, true);
-        Beam beam;
-        beam.origin = s.position;
-        beam.direction = tap.direction;
-        beam.sigma = tap.sigma;
-        beam.inner = 0.0;
-        beam.carried = 0.0;
-        beam.inside = 0.0;
-        sum += tap.weight * beamRadiance(beam, meeting);
+        InnerTap tap = fetchInnerTap(interfaceLobeTable, k, entryTaps(), s.wo, s.n, s.alpha, eta, face.transmitted);
+        WeightedBeam w;
+        w.beam = straightBeam(s.position, tap.direction, tap.sigma);
+        w.weight = tap.weight * absorption / (eta * eta);
+        if (k == 0) beams.core = w;
+        else beams.rest = w;
     }
-    return absorbed(length(s.position - frame.eye.xyz)) * sum / (eta * eta);
+    beams.leftOver.beam = straightBeam(s.position, reflect(-s.wo, s.n), LEFT_OVER_SIGMA);
+    beams.leftOver.weight = face.reflected * absorption;
+    return beams;
 }
 
 // As peers do it (the Khronos viewer, three.js): one interface, moved by a thickness along the refracted ray, blurred by a level
@@ -240,16 +249,56 @@ vec3 throughStandard(Surface s, float ior) {
     return fresnelTransmittedAt(dot(s.n, s.wo), ior) * absorbed(length(ray)) * light;
 }
 
-vec3 throughGlass(Surface s) {
-    float ior = material.surface.w;
-    if (indexIsOne) {
-        // Nothing bends and nothing is reflected: the pixel itself, absorbed as far as the solid reaches behind it.
-        float inside = 0.0;
-        if (transmission == 2 && attenuates)
-            inside = interiorThickness(interior, interiorCamera(), ivec2(gl_FragCoord.xy), objectId());
-        return absorbed(inside) * texelFetch(screenPyramid, ivec2(gl_FragCoord.xy), 0).xyz;
+// Index 1: nothing bends and nothing is reflected. The pixel itself, absorbed as far as the solid reaches behind it.
+vec3 throughNothing() {
+    float inside = 0.0;
+    if (attenuates && interiorPairs > 0)
+        inside = interiorThickness(interior, interiorCamera(), ivec2(gl_FragCoord.xy), objectId());
+    return absorbed(inside) * texelFetch(screenPyramid, ivec2(gl_FragCoord.xy), 0).xyz;
+}
+
+float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
+
+// How far a beam is looked for on the picture: what brings less than a fiftieth is not, at a sixteenth it is in full. The
+// environment stands in.
+float looked(WeightedBeam w) { return looksAround ? smoothstep(0.02, 0.0625, largest(w.weight)) : 0.0; }
+
+// What the beams bring: core and rest, what bounced, what is left over and the mirror's, those that are looked for each by its own
+// meeting.
+vec3 glassRadiance(GlassBeams beams, WeightedBeam mirror) {
+    vec3 sum = vec3(0.0);
+    float bounced = largest(beams.bounced.weight) > 0.0 ? 1.0 : 0.0;
+    vec3 wanted = vec3(bounced, looked(mirror), looked(beams.leftOver));
+    // Lanes of a group run as long as the longest: the way is short where nothing but the core is looked for.
+    int group = 0;
+    while (group < 4) {
+        WeightedBeam w = beams.core;
+        float share = 1.0;
+        if (group == 1) {
+            w = beams.bounced;
+            share = wanted.x;
+        } else if (group == 2) {
+            w = mirror;
+            share = wanted.y;
+        } else if (group == 3) {
+            w = beams.leftOver;
+            share = wanted.z;
+        }
+        Meeting meeting = meetBackdrop(w.beam.origin, w.beam.direction, true);
+        if (group == 0 && beams.within >= 0.0) {
+            meeting.distance = beams.within;
+            meeting.seen = true;
+        }
+        int members = group == 0 && entryTaps() > 1 ? 2 : 1;
+        for (int m = 0; m < members; ++m) {
+            if (m == 1) w = beams.rest;
+            sum += share * w.weight * beamRadiance(w.beam, meeting);
+        }
+        ++group;
+        if (group == 1 && wanted.x == 0.0) ++group;
+        if (group == 2 && wanted.y == 0.0) ++group;
+        if (group == 3 && wanted.z == 0.0) ++group;
     }
-    if (method == 0) return throughStandard(s, ior);
-    if (transmission == 1) return throughWall(s, ior);
-    return gl_FrontFacing ? throughSolid(s, ior) : outOfSolid(s, ior);
+    if (largest(mirror.weight) > 0.0) sum += (1.0 - wanted.y) * mirror.weight * farRadiance(mirror.beam.direction, mirror.beam.sigma);
+    return sum + (1.0 - wanted.z) * beams.leftOver.weight * wideRadiance(beams.leftOver.beam.direction);
 }

@@ -30,13 +30,32 @@ void main() {
     float coverage = alphaMode == 2 ? base.w : 1.0;
     Surface s = readSurface(base);
     float through = s.transmission * (1.0 - s.metallic);
+    // A base colour tints what passes once: its root at each face of a solid.
+    bool twice = gl_FrontFacing || transmission == 1;
+    vec3 tint = through * (twice ? s.baseColor : sqrt(s.baseColor));
     vec3 radiance = s.emissive;
-    if (through > 0.0) {
-        // A base colour tints what passes once: its root at each face of a solid.
-        vec3 tint = gl_FrontFacing || transmission == 1 ? s.baseColor : sqrt(s.baseColor);
-        radiance += through * tint * throughGlass(s);
+    float ior = material.surface.w;
+    WeightedBeam mirror = noBeam(s.position, s.n);
+    if (hasEnvironment) {
+        EnvironmentLight light = environmentLobe(s);
+        mirror.beam = straightBeam(s.position, light.tap.direction, light.tap.sigma);
+        mirror.weight = light.weight;
+        radiance += light.diffuse;
     }
-    if (hasEnvironment && !indexIsOne) radiance += environmentLight(s);
+    if (indexIsOne) {
+        radiance += tint * throughNothing();
+    } else if (method == 0) {
+        radiance += tint * throughStandard(s, ior) + mirror.weight * farRadiance(mirror.beam.direction, mirror.beam.sigma);
+    } else {
+        GlassBeams beams;
+        if (twice) beams = throughTwoFaces(s, ior);
+        else beams = outOfSolid(s, ior);
+        beams.core.weight *= tint;
+        beams.rest.weight *= tint;
+        beams.bounced.weight *= tint;
+        beams.leftOver.weight *= tint;
+        radiance += glassRadiance(beams, mirror);
+    }
     if (hasLights) radiance += punctualLight(s);
     outColor = vec4(radiance * coverage, coverage);
 }

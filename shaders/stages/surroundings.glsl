@@ -20,6 +20,18 @@ struct Beam {
     float inside;  // metres that it ran inside
 };
 
+// A beam that comes from a point, not from within glass.
+Beam straightBeam(vec3 origin, vec3 direction, float sigma) {
+    Beam beam;
+    beam.origin = origin;
+    beam.direction = direction;
+    beam.sigma = sigma;
+    beam.inner = 0.0;
+    beam.carried = 0.0;
+    beam.inside = 0.0;
+    return beam;
+}
+
 // Where a beam's centre meets what is behind.
 struct Meeting {
     float distance; // metres from the origin; negative: nowhere, it goes to the sky
@@ -30,7 +42,8 @@ struct Meeting {
 const float OUTSIDE_FADE = 1.0; // of the picture's height
 const int MEETING_GUESSES = 4;
 const int MEETING_STEPS = 12;
-const int MEETING_SECANTS = 8;
+const int MEETING_SECANTS = 6;
+const int MEETING_READS = 30; // guesses, steps, and two crossings
 
 // Clip coordinates, w > 0 -> pixels.
 vec2 pixelOf(vec4 clip) { return (vec2(0.5, -0.5) * clip.xy / clip.w + 0.5) * frame.picture.xy; }
@@ -58,36 +71,6 @@ Meeting nowhere() {
     m.seen = false;
     m.foreshortening = 1.0;
     return m;
-}
-
-Meeting meetByGuess(vec4 from, vec4 along, out bool settled) {
-    Meeting meeting = nowhere();
-    meeting.distance = 0.0;
-    meeting.seen = true;
-    settled = false;
-    vec2 at = pixelOf(from);
-    for (int k = 0; k < MEETING_GUESSES; ++k) {
-        float z = depthBehind(at);
-        bool sky = z == 0.0;
-        float distance = sky ? -1.0 : distanceToDepth(from, along, z);
-        vec4 there = sky ? along : from + distance * along;
-        if ((!sky && !(distance >= 0.0)) || !(there.w > 0.0)) return meeting;
-        // Off the picture its border goes on (depthBehind): the picture's share in the beam fades there, it does not end.
-        vec2 next = pixelOf(there);
-        vec2 moved = abs(next - at);
-        at = next;
-        meeting.distance = distance;
-        // Within a pixel the depth that was read is the depth there.
-        settled = k > 0 && max(moved.x, moved.y) < 1.0;
-        if (settled) return meeting;
-    }
-    return meeting;
-}
-
-// In front of the surface: positive.
-float heightAbove(vec3 ndc) {
-    float z = depthBehind((vec2(0.5, -0.5) * ndc.xy + 0.5) * frame.picture.xy);
-    return ndc.z - z;
 }
 
 // Even steps on the screen are even in 1 / w: the share of the way at a share v of the picture's.
@@ -125,92 +108,120 @@ float foreshorteningAt(vec2 at, vec3 direction) {
     return clamp(seen / max(met, 1e-30), 1.0 / 16.0, 16.0);
 }
 
-Meeting meetBySteps(vec4 from, vec4 along, float most) {
-    Meeting miss = nowhere();
-    float hidden = -1.0; // where it went behind something
-    // The way to the end, as far as it stays on the picture and before the camera: each clip plane x = ±w, y = ±w and
-    // w = (a hundredth of) where it began cuts off what lies beyond.
-    vec4 way = most * along;
-    float end = 1.0;
-    vec4 room = vec4(from.w - from.x, from.w + from.x, from.w - from.y, from.w + from.y);
-    vec4 loss = vec4(way.x - way.w, -way.x - way.w, way.y - way.w, -way.y - way.w);
-    for (int k = 0; k < 4; ++k)
-        if (loss[k] > room[k]) end = min(end, max(room[k], 0.0) / loss[k]);
-    if (-way.w > 0.99 * from.w) end = min(end, 0.99 * from.w / -way.w);
-    vec4 to = from + end * way;
-    miss.seen = end == 1.0 && along.w > 0.0 && depthBehind(pixelOf(along)) == 0.0;
-    vec3 a = from.xyz / from.w;
-    vec3 b = to.xyz / to.w;
-    float before = 0.0;
-    float heightBefore = heightAbove(a);
-    for (int k = 1; k <= MEETING_STEPS; ++k) {
-        float u = float(k) / float(MEETING_STEPS);
-        float height = heightAbove(mix(a, b, u));
-        if (heightBefore >= 0.0 && height < 0.0) {
-            float low = before;
-            float heightLow = heightBefore;
-            float high = u;
-            float heightHigh = height;
-            for (int j = 0; j < MEETING_SECANTS; ++j) {
-                // In the middle first: a step in depth between the two ends, like the outline of what the ray leaves, would hold a
-                // secant at one of them.
-                float cut = (j & 1) == 1 ? heightLow / (heightLow - heightHigh) : 0.5;
-                float middle = mix(low, high, cut);
-                float heightMiddle = heightAbove(mix(a, b, middle));
-                bool front = heightMiddle >= 0.0;
-                low = front ? middle : low;
-                heightLow = front ? heightMiddle : heightLow;
-                high = front ? high : middle;
-                heightHigh = front ? heightHigh : heightMiddle;
-                // Within a fiftieth of where it began the rest is less than a step on the way divided by fifty.
-                if (min(heightLow, -heightHigh) < 0.02 * (heightBefore - height)) break;
-            }
-            // Over a surface the heights close in on 0, at an edge they do not: there the ray went behind something nearer, and
-            // comes out again or not.
-            if (min(heightLow, -heightHigh) < 0.1 * (heightBefore - height)) {
-                float v = mix(low, high, heightLow / max(heightLow - heightHigh, 1e-30));
-                miss.distance = most * end * wayAlong(v, from.w, to.w);
-                miss.seen = true;
-                return miss;
-            }
-            hidden = low;
-        }
-        before = u;
-        heightBefore = height;
-    }
-    // It ends behind something: what is seen beside that is the best guess, and continuous with what is seen before.
-    if (hidden >= 0.0 && heightBefore < 0.0) {
-        miss.distance = most * end * wayAlong(hidden, from.w, to.w);
-        miss.seen = true;
-        return miss;
-    }
-    // Out at the picture's edge, in front of what is there: the border goes on.
-    if (end < 1.0 && heightBefore >= 0.0) {
-        float z = b.z - heightBefore;
-        miss.distance = z > 0.0 ? distanceToDepth(from, along, z) : -1.0;
-        miss.seen = z > 0.0 ? miss.distance >= 0.0 : along.w > 0.0;
-    }
-    return miss;
-}
-
 // `guess`: depth to depth first; not where the ray starts from a surface that is in the depth.
+// One loop with one read for guesses, steps and what closes in on a crossing: machines that run pixels in lockstep pay for every
+// branch that is written.
 Meeting meetBackdrop(vec3 origin, vec3 direction, bool guess) {
-    Meeting meeting = nowhere();
     vec4 from = frame.clipFromWorld * vec4(origin, 1.0);
     vec4 along = frame.clipFromWorld * vec4(direction, 0.0);
-    if (!(from.w > 0.0)) return meeting;
+    Meeting met = nowhere();
+    if (!(from.w > 0.0)) return met;
+
+    // The way to the end of the scene, as far as it stays on the picture and before the camera: each clip plane x = ±w, y = ±w
+    // and w = a hundredth of where it began cuts off what lies beyond. A wall may be what bounds the scene: a fiftieth further.
+    float most = 1.02 * max(distanceOutOfScene(origin, direction), 0.0);
+    vec4 way = most * along;
+    vec4 room = max(vec4(from.w - from.x, from.w + from.x, from.w - from.y, from.w + from.y), vec4(0.0));
+    vec4 loss = vec4(way.x - way.w, -way.x - way.w, way.y - way.w, -way.y - way.w);
+    vec4 cut = min(room / max(max(loss, room), vec4(1e-30)), vec4(1.0)); // 1 where nothing is cut
+    float end = min(min(cut.x, cut.y), min(cut.z, cut.w));
+    end = min(end, 0.99 * from.w / max(-way.w, 0.99 * from.w));
+    vec4 to = from + end * way;
+    vec3 a = from.xyz / from.w;
+    vec3 b = to.xyz / to.w;
+
+    int guesses = guess ? MEETING_GUESSES : 0; // left to make
+    int step = -1;                             // -1: the height at the start is not known yet
+    int secant = 0;                            // > 0: between low (in front) and high (behind)
+    float low = 0.0;
+    float heightLow = 0.0;
+    float high = 0.0;
+    float heightHigh = 0.0;
+    float gap = 0.0;  // of the heights where the crossing was noticed
+    float last = 0.0; // height at the step before
+    float hidden = -1.0; // where it went behind something
+    vec2 at = pixelOf(from);
     bool settled = false;
-    if (guess) meeting = meetByGuess(from, along, settled);
-    // A wall may be what bounds the scene: a fiftieth further.
-    if (!settled) meeting = meetBySteps(from, along, 1.02 * max(distanceOutOfScene(origin, direction), 0.0));
-    if (meeting.seen && meeting.distance > 0.0)
-        meeting.foreshortening = foreshorteningAt(pixelOf(from + meeting.distance * along), direction);
-    return meeting;
+    for (int k = 0; k < MEETING_READS; ++k) {
+        bool guessing = guesses > 0;
+        bool closing = secant > 0;
+        // In the middle first: a step in depth between the two ends, like the outline of what the ray leaves, would hold a
+        // secant at one of them.
+        float share = (secant & 1) == 0 ? heightLow / (heightLow - heightHigh) : 0.5;
+        float u = closing ? mix(low, high, share) : float(step + 1) / float(MEETING_STEPS);
+        vec3 ndc = mix(a, b, u);
+        vec2 place = guessing ? at : (vec2(0.5, -0.5) * ndc.xy + 0.5) * frame.picture.xy;
+        float z = depthBehind(place);
+        if (guessing) {
+            // What was read is taken for a plane across the view.
+            bool sky = z == 0.0;
+            float distance = sky ? -1.0 : distanceToDepth(from, along, z);
+            vec4 there = sky ? along : from + distance * along;
+            bool possible = (sky || distance >= 0.0) && there.w > 0.0;
+            // Off the picture its border goes on (depthBehind): the picture's share in the beam fades there, it does not end.
+            vec2 next = pixelOf(there);
+            vec2 moved = abs(next - at);
+            at = next;
+            // Within a pixel the depth that was read is the depth there.
+            settled = possible && guesses < MEETING_GUESSES && max(moved.x, moved.y) < 1.0;
+            met.distance = distance;
+            guesses = possible ? guesses - 1 : 0;
+        } else if (closing) {
+            float height = ndc.z - z; // above the surface: positive
+            ++secant;
+            bool front = height >= 0.0;
+            low = front ? u : low;
+            heightLow = front ? height : heightLow;
+            high = front ? high : u;
+            heightHigh = front ? heightHigh : height;
+            float rest = min(heightLow, -heightHigh);
+            // Over a surface the heights close in on 0, at an edge they do not: there the ray went behind something nearer, and
+            // comes out again or not.
+            bool given = secant > MEETING_SECANTS;
+            settled = rest < 0.02 * gap || (given && rest < 0.1 * gap);
+            met.distance = most * end * wayAlong(mix(low, high, heightLow / max(heightLow - heightHigh, 1e-30)), from.w, to.w);
+            hidden = given ? low : hidden;
+            secant = given ? 0 : secant;
+        } else {
+            float height = ndc.z - z;
+            ++step;
+            bool crossed = step > 0 && last >= 0.0 && height < 0.0;
+            secant = crossed ? 1 : 0;
+            low = float(step - 1) / float(MEETING_STEPS);
+            heightLow = last;
+            high = u;
+            heightHigh = height;
+            gap = last - height;
+            last = height;
+        }
+        if (settled || (guesses == 0 && secant == 0 && step == MEETING_STEPS)) break;
+    }
+    met.seen = settled;
+    if (!settled) {
+        bool front = last >= 0.0;
+        // It ends behind something: what is seen beside that is the best guess, and continuous with what is seen before. It is
+        // in front when it leaves the picture: the border goes on. Else it meets nothing: the sky, if the picture shows that.
+        bool behind = !front && hidden >= 0.0;
+        float z = b.z - last;
+        bool bordered = front && end < 1.0 && z > 0.0;
+        met.distance = behind ? most * end * wayAlong(hidden, from.w, to.w) : bordered ? distanceToDepth(from, along, z) : -1.0;
+        bool sky = front && along.w > 0.0 && (end < 1.0 ? z <= 0.0 : depthBehind(pixelOf(along)) == 0.0);
+        met.seen = behind || (bordered ? met.distance >= 0.0 : sky);
+    }
+    if (met.seen && met.distance > 0.0)
+        met.foreshortening = foreshorteningAt(pixelOf(from + met.distance * along), direction);
+    return met;
 }
 
 vec3 farRadiance(vec3 direction, float sigma) {
     if (!hasEnvironment) return vec3(0.0);
     return frame.environment.z * environmentRadiance(stackEven, stackOdd, frame.stack, inEnvironment(direction), sigma);
+}
+
+// From all about a direction, as a diffuse surface would see it.
+vec3 wideRadiance(vec3 direction) {
+    if (!hasEnvironment) return vec3(0.0);
+    return frame.environment.z * environmentIrradiance(irradianceCube, frame.stack, inEnvironment(direction));
 }
 
 // Radiance that arrives along the beam. `meeting`: of its centre, or of another beam of nearly the same origin and direction.
