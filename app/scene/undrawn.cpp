@@ -9,11 +9,6 @@ struct Feature {
 };
 
 constexpr Feature features[] = {
-    {"KHR_materials_transmission", [](const Material& m) { return m.transmission > 0.0f; }},
-    {"KHR_materials_volume",
-     [](const Material& m) { return m.transmission > 0.0f && m.thickness > 0.0f; }},
-    {"KHR_materials_dispersion",
-     [](const Material& m) { return m.transmission > 0.0f && m.dispersion > 0.0f; }},
     {"KHR_materials_anisotropy", [](const Material& m) { return m.anisotropy_strength > 0.0f; }},
     {"KHR_materials_clearcoat", [](const Material& m) { return m.clearcoat > 0.0f; }},
 };

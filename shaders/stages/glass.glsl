@@ -33,6 +33,11 @@ struct GlassBeams {
     float within; // metres to something opaque inside that ends the core; negative: none
 };
 
+// KHR_materials_dispersion: red and blue to both sides of the index, by a fortieth of (ior - 1) times the dispersion each.
+float dispersedIor(float ior, float dispersion, int channel) {
+    return max(ior + (float(channel) - 1.0) * 0.025 * (ior - 1.0) * dispersion, 0.25); // the least that the tables hold
+}
+
 // Taps that the tables of this method have: what is composed of two faces needs two of each at most.
 int entryTaps() { return method > 1 ? 2 : 1; }
 
@@ -193,6 +198,17 @@ GlassBeams throughTwoFaces(Surface s, float ior) {
         tap.weight = p.bounced ? p.ray.weight * through : 0.0; // the core stands for its tail
         beams.bounced = weighted(tap, p.lastPoint, p.lastPath, absorbed(p.lastPath));
     }
+    if (transmission == 1) {
+        // Light goes to and fro between the faces of a wall and leaves a share by each at every turn: what stays on this side
+        // of it leaves as the mirror's, and the rest as what came straight through.
+        float kept = p.left / max(entered, 1e-30);
+        float turns = 1.0 / max(1.0 - kept * kept, 1e-30);
+        beams.core.weight *= turns;
+        beams.rest.weight *= turns;
+        p.left *= turns;
+        p.escapes *= 1.0 - kept;
+        p.leftDirection = reflect(-s.wo, s.n);
+    }
     // What is left runs about as far again before it gets out.
     beams.leftOver.beam = straightBeam(p.lastPoint, p.leftDirection, max(p.leftSigma, LEFT_OVER_SIGMA));
     beams.leftOver.weight = p.left * p.escapes * absorbed(2.0 * p.lastPath);
@@ -263,6 +279,20 @@ float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 // environment stands in.
 float looked(WeightedBeam w) { return looksAround ? smoothstep(0.02, 0.0625, largest(w.weight)) : 0.0; }
 
+// Punctual lights as a beam sees them, by its density at their directions: a Gaussian of its own width. A smooth path shows a
+// point of light to nobody.
+vec3 lightsAlong(Beam beam) {
+    vec3 sum = vec3(0.0);
+    float variance = beam.sigma * beam.sigma;
+    if (!(variance > 0.0)) return sum;
+    for (int i = 0; i < frame.counts.x; ++i) {
+        Arrival a = arrivalFrom(lights[i], beam.origin);
+        vec3 apart = a.wi - beam.direction; // chords: within 4 % of the angle up to a radian
+        sum += a.irradiance * exp(-0.5 * dot(apart, apart) / variance);
+    }
+    return sum / (2.0 * BSDF_PI * variance);
+}
+
 // What the beams bring: core and rest, what bounced, what is left over and the mirror's, those that are looked for each by its own
 // meeting.
 vec3 glassRadiance(GlassBeams beams, WeightedBeam mirror) {
@@ -293,6 +323,7 @@ vec3 glassRadiance(GlassBeams beams, WeightedBeam mirror) {
         for (int m = 0; m < members; ++m) {
             if (m == 1) w = beams.rest;
             sum += share * w.weight * beamRadiance(w.beam, meeting);
+            if (hasLights && group < 2) sum += w.weight * lightsAlong(w.beam);
         }
         ++group;
         if (group == 1 && wanted.x == 0.0) ++group;

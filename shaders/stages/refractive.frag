@@ -47,14 +47,21 @@ void main() {
     } else if (method == 0) {
         radiance += tint * throughStandard(s, ior) + mirror.weight * farRadiance(mirror.beam.direction, mirror.beam.sigma);
     } else {
-        GlassBeams beams;
-        if (twice) beams = throughTwoFaces(s, ior);
-        else beams = outOfSolid(s, ior);
-        beams.core.weight *= tint;
-        beams.rest.weight *= tint;
-        beams.bounced.weight *= tint;
-        beams.leftOver.weight *= tint;
-        radiance += glassRadiance(beams, mirror);
+        // Where the index depends on the wavelength each channel goes its own way.
+        int ways = disperses ? 3 : 1;
+        for (int k = 0; k < ways; ++k) {
+            vec3 mask = vec3(1.0);
+            if (disperses) mask = vec3(k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0);
+            float own = disperses ? dispersedIor(ior, material.transmission.z, k) : ior;
+            GlassBeams beams;
+            if (twice) beams = throughTwoFaces(s, own);
+            else beams = outOfSolid(s, own);
+            beams.core.weight *= tint;
+            beams.rest.weight *= tint;
+            beams.bounced.weight *= tint;
+            beams.leftOver.weight *= tint;
+            radiance += mask * glassRadiance(beams, mirror);
+        }
     }
     if (hasLights) radiance += punctualLight(s);
     outColor = vec4(radiance * coverage, coverage);

@@ -71,6 +71,31 @@ scene::Scene square(const scene::Material& material) {
   return one_mesh(p, material, std::move(scene));
 }
 
+scene::Scene box(const scene::Material& material) {
+  scene::Scene scene;
+  scene::Indices& indices = scene.indices.emplace_back();
+  std::vector<float> positions, normals;
+  for (unsigned face = 0; face < 6; ++face) {
+    const int axis = static_cast<int>(face / 2);
+    const double sign = face % 2 ? -1.0 : 1.0;
+    glm::dvec3 n(0.0), u(0.0);
+    n[axis] = sign;
+    u[(axis + 1) % 3] = 1.0;
+    const glm::dvec3 v = glm::cross(n, u); // u, v, n right-handed: counter-clockwise from outside
+    for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
+      const glm::dvec3 p = n + corner.x * u + corner.y * v;
+      append(positions, {p.x, p.y, p.z});
+      append(normals, {n.x, n.y, n.z});
+    }
+    for (const unsigned k : {0u, 1u, 2u, 0u, 2u, 3u})
+      indices.push_back(4 * face + k);
+  }
+  scene::Primitive p;
+  p.positions = add_stream(scene, 3, positions);
+  p.normals = add_stream(scene, 3, normals);
+  return one_mesh(p, material, std::move(scene));
+}
+
 void add(scene::Scene& scene, const scene::Scene& other, const glm::mat4& world) {
   const auto size = [](const auto& list) { return static_cast<scene::Index>(list.size()); };
   const scene::Index streams = size(scene.streams), indices = size(scene.indices),
@@ -137,6 +162,15 @@ scene::Material unlit(const glm::vec3& color) {
   scene::Material m = metal(1.0f, color);
   m.name = "unlit";
   m.unlit = true;
+  return m;
+}
+
+scene::Material glass(float roughness, float ior) {
+  scene::Material m = dielectric(roughness, glm::vec3(1.0f));
+  m.name = "glass";
+  m.ior = ior;
+  m.transmission = 1.0f;
+  m.thickness = 1.0f;
   return m;
 }
 

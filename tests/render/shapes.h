@@ -13,6 +13,9 @@ scene::Scene ball(const scene::Material& material);
 // corner.
 scene::Scene square(const scene::Material& material);
 
+// A box from (-1, -1, -1) to (1, 1, 1) with the normals of its faces: one closed mesh.
+scene::Scene box(const scene::Material& material);
+
 // Adds everything of `other`, moved by `world`.
 void add(scene::Scene& scene, const scene::Scene& other, const glm::mat4& world);
 
@@ -23,5 +26,7 @@ scene::Camera camera_at(const glm::vec3& eye);
 scene::Material metal(float roughness, const glm::vec3& color = glm::vec3(1.0f));
 scene::Material dielectric(float roughness, const glm::vec3& color = glm::vec3(0.5f));
 scene::Material unlit(const glm::vec3& color);
+// Clear and solid: light is bent on the way in and on the way out.
+scene::Material glass(float roughness, float ior = 1.5f);
 
 } // namespace gg::test
