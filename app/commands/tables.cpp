@@ -1,9 +1,7 @@
 // groundglass tables: makes the tables in assets/tables again.
 #include "commands/commands.h"
 #include "core/error.h"
-#include "core/progress.h"
-#include "tables/gaussian_fit.h"
-#include "tables/reflection_table.h"
+#include "tables/make_tables.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,20 +11,20 @@
 namespace gg::commands {
 
 void add_tables(CLI::App& app) {
-  const auto out = std::make_shared<std::string>();
-  CLI::App* sub = app.add_subcommand(
-      "tables", "Fit the tables of the reflection lobe (assets/tables): minutes");
-  sub->add_option("-o,--out", *out, "Directory for the tables, which must exist")->required();
-  sub->callback([out] {
-    if (!std::filesystem::is_directory(*out))
-      throw Error(ExitCode::output, *out, "is not a directory", "Create it first.");
-    Progress progress("tables", tables::rows_of_work() * static_cast<long>(tables::models.size()));
-    const tables::Training training = tables::make_training(&progress);
-    long done = 0;
-    for (const tables::Model& model : tables::models) {
-      tables::write(*out, tables::make(model, training, &progress, done));
-      done += tables::rows_of_work();
-    }
+  struct Options {
+    std::string out, only;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* sub = app.add_subcommand("tables", "Fit the tables of lobes (assets/tables): minutes");
+  sub->add_option("-o,--out", options->out, "Directory for the tables, which must exist")
+      ->required();
+  sub->add_option(
+      "--only", options->only,
+      "Make only the files whose names match this regular expression, as lobes[12]-ggx");
+  sub->callback([options] {
+    if (!std::filesystem::is_directory(options->out))
+      throw Error(ExitCode::output, options->out, "is not a directory", "Create it first.");
+    tables::make_tables(options->out, options->only);
   });
 }
 

@@ -1,13 +1,15 @@
 #include "tables/fit_views.h"
 
-#include <glm/gtc/quaternion.hpp>
+#include "core/progress.h"
+#include "tables/training.h"
+#include "tables/training_maps.h"
+
 #include <glm/mat3x3.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 namespace gg::tables {
 namespace {
@@ -27,26 +29,9 @@ constexpr int first_level = 1;
 constexpr double per_sigma = 1.5, circle_per_sigma = 4.0;
 
 // A sample of the lobe stands for the solid angle 1 / density: it reads the map through a Gaussian of this share of its side.
-// (A quarter more or less changes what the fits find by less than their own noise.)
-constexpr double sample_width = 0.35;
-
-std::vector<glm::mat3> rotations(int count, unsigned seed) {
-  std::mt19937 bits(seed);
-  // Not std::normal_distribution, whose values differ between libraries: sums of uniform numbers are normal enough for
-  // a direction in four dimensions to be uniform to within a few per cent.
-  const auto normal = [&] {
-    double sum = -6.0;
-    for (int i = 0; i < 12; ++i)
-      sum += static_cast<double>(bits()) * 0x1p-32;
-    return static_cast<float>(sum);
-  };
-  std::vector<glm::mat3> list;
-  for (int i = 0; i < count; ++i) {
-    const float w = normal(), x = normal(), y = normal(), z = normal();
-    list.push_back(glm::mat3_cast(glm::normalize(glm::quat(w, x, y, z))));
-  }
-  return list;
-}
+// A row of Gaussians that far apart, a lamp seen through it, is even to 2 exp(-2 pi² 0.7²) = 1e-4 per axis (0.35 would
+// leave 18 %), and what it adds to the lobe's variance is 3 / count of it.
+constexpr double sample_width = 0.7;
 
 } // namespace
 
@@ -56,7 +41,7 @@ Lens lens_for(const LobeShape& shape) {
 
 FitViews::FitViews(const std::vector<SphereStack>& stacks, int rotations_per_map, unsigned seed)
     : count_(rotations_per_map * static_cast<int>(stacks.size())) {
-  const std::vector<glm::mat3> turn = rotations(count_, seed);
+  const std::vector<glm::mat3> turn = random_rotations(count_, seed);
   const auto stack_of = [&](std::size_t view) -> const SphereStack& {
     return stacks[view / static_cast<std::size_t>(rotations_per_map)];
   };
@@ -193,6 +178,20 @@ void FitViews::read(double angle, double sigma, float* result) const {
   for (std::size_t v = 0; v < stride(); ++v)
     result[v] = weight[0] * from[0][v] + weight[1] * from[1][v] + weight[2] * from[2][v]
                 + weight[3] * from[3][v];
+}
+
+FitViews make_fit_views(Progress* progress) {
+  constexpr int map_size = 128, rotations_per_map = 64;
+  constexpr unsigned seed = 1;
+  std::vector<SphereStack> stacks;
+  for (int draw : fitted_draws) {
+    if (progress) progress->update(0, "painting environments");
+    for (const TrainingMap& map : training_maps(map_size, draw)) {
+      if (progress) progress->update(0, "blurring " + map.name);
+      stacks.emplace_back(map.map);
+    }
+  }
+  return FitViews(stacks, rotations_per_map, seed);
 }
 
 } // namespace gg::tables

@@ -8,6 +8,10 @@
 #include <array>
 #include <vector>
 
+namespace gg {
+class Progress;
+}
+
 namespace gg::tables {
 
 // The frame that a lobe is fitted in. Its centre lies at `angle` in the plane of incidence (LobeShape), and a lens about it
@@ -72,5 +76,8 @@ private:
   std::vector<float> pixels_;  // [pixel][view]
   std::vector<float> circles_; // [level, angle][view]: the plane of incidence, all around
 };
+
+// The maps and orientations that the tables are fitted on.
+FitViews make_fit_views(Progress* progress);
 
 } // namespace gg::tables

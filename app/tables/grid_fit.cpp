@@ -9,6 +9,7 @@ namespace {
 
 // After these the taps of neighbours are where they will stay.
 constexpr int sweeps = 2;
+constexpr int scratch_iterations = 14, sweep_iterations = 10;
 
 TapSet to_table(const TapSet& set, const GridCell& cell) {
   TapSet result = set;
@@ -35,7 +36,7 @@ TapSet mean_of_neighbours(const Grid& grid, const std::vector<TapSet>& fitted, i
   int count = 0;
   const auto add = [&](int i, int j, int k) {
     if (i < 0 || j < 0 || k < 0 || i >= grid.nx || j >= grid.ny || k >= grid.nz) return;
-    if (grid.cells[grid.index(i, j, k)].empty) return;
+    if (k / grid.block != z / grid.block || grid.cells[grid.index(i, j, k)].empty) return;
     const TapSet& other = fitted[grid.index(i, j, k)];
     for (std::size_t t = 0; t < mean.size(); ++t) {
       mean[t].angle += other[t].angle;
@@ -61,8 +62,7 @@ int grid_steps(const Grid& grid) {
   return (1 + sweeps) * grid.ny;
 }
 
-std::vector<TapSet> fit_grid(const FitViews& views, const Grid& grid, int taps,
-                             const std::function<void()>& step) {
+std::vector<TapSet> fit_grid(const FitViews& views, const Grid& grid, int taps, const Step& step) {
   std::vector<TapSet> fitted(grid.cells.size(), TapSet(static_cast<std::size_t>(taps)));
   const auto over_all = [&](auto&& work) {
     for (int y = 0; y < grid.ny; ++y) {
@@ -75,7 +75,8 @@ std::vector<TapSet> fit_grid(const FitViews& views, const Grid& grid, int taps,
   };
   over_all([&](int x, int y, int z) {
     const GridCell& cell = grid.cells[grid.index(x, y, z)];
-    fitted[grid.index(x, y, z)] = to_table(fit_from_scratch(views, cell.target, taps).taps, cell);
+    fitted[grid.index(x, y, z)] =
+        to_table(fit_from_scratch(views, cell.target, taps, scratch_iterations).taps, cell);
   });
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     std::vector<TapSet> next = fitted;
@@ -84,10 +85,13 @@ std::vector<TapSet> fit_grid(const FitViews& views, const Grid& grid, int taps,
       const TapSet mean = mean_of_neighbours(grid, fitted, x, y, z);
       if (mean.empty()) return;
       const TapSet home = from_table(mean, cell);
-      const FitResult own =
-          fit(views, cell.target, from_table(fitted[grid.index(x, y, z)], cell), home);
-      const FitResult theirs = fit(views, cell.target, home, home);
-      next[grid.index(x, y, z)] = to_table(theirs.cost <= own.cost ? theirs.taps : own.taps, cell);
+      FitResult best = fit(views, cell.target, from_table(fitted[grid.index(x, y, z)], cell),
+                           sweep_iterations, home);
+      if (sweep == 0) {
+        FitResult theirs = fit(views, cell.target, home, sweep_iterations, home);
+        if (theirs.cost < best.cost) best = std::move(theirs);
+      }
+      next[grid.index(x, y, z)] = to_table(best.taps, cell);
     });
     fitted = std::move(next);
   }
@@ -97,6 +101,22 @@ std::vector<TapSet> fit_grid(const FitViews& views, const Grid& grid, int taps,
         if (grid.cells[grid.index(x, y, z)].empty)
           fitted[grid.index(x, y, z)] = fitted[grid.index(x, y + 1, z)];
   return fitted;
+}
+
+std::vector<float> offsets_and_widths(const Grid& grid, const std::vector<TapSet>& sets, int taps) {
+  std::vector<float> texels(4 * static_cast<std::size_t>(taps) * grid.cells.size());
+  std::size_t texel = 0;
+  for (int z = 0; z < grid.nz; ++z)
+    for (int k = 0; k < taps; ++k)
+      for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x, texel += 4) {
+          const Gaussian& g = sets[grid.index(x, y, z)][static_cast<std::size_t>(k)];
+          // The lean of a lobe fades faster than its width: at alpha 0 it is gone.
+          texels[texel] = y == 0 ? 0.0f : static_cast<float>(g.angle);
+          texels[texel + 1] = static_cast<float>(g.sigma);
+          texels[texel + 2] = static_cast<float>(g.weight);
+        }
+  return texels;
 }
 
 } // namespace gg::tables

@@ -8,6 +8,9 @@
 
 namespace gg::tables {
 
+// Called by one thread at a time, after each of a number of shares of the work.
+using Step = std::function<void()>;
+
 struct GridCell {
   bool empty = true; // no light: filled from the cell with the next larger y
   FitTarget target;  // of cells that are not empty
@@ -18,16 +21,19 @@ struct GridCell {
 
 struct Grid {
   int nx = 0, ny = 0, nz = 0;
+  int block =
+      1; // slices that follow each other smoothly: neighbours along z are sought within blocks of as many
   std::vector<GridCell> cells; // x fastest
   std::size_t index(int x, int y, int z) const {
     return static_cast<std::size_t>((z * ny + y) * nx + x);
   }
 };
 
-// In table units, x fastest: for every cell as many Gaussians as taps. `step` is called after each of grid_steps() shares
-// of the work, never by two threads at once.
-std::vector<TapSet> fit_grid(const FitViews& views, const Grid& grid, int taps,
-                             const std::function<void()>& step);
+// In table units, x fastest: for every cell as many Gaussians as taps. grid_steps() steps.
+std::vector<TapSet> fit_grid(const FitViews& views, const Grid& grid, int taps, const Step& step);
 int grid_steps(const Grid& grid);
+
+// As texels of a table: offset, width, weight, 0; x fastest, then y, one block of rows after the other for every tap.
+std::vector<float> offsets_and_widths(const Grid& grid, const std::vector<TapSet>& sets, int taps);
 
 } // namespace gg::tables

@@ -28,6 +28,35 @@ int number_of(const Model& model) {
 
 } // namespace
 
+std::array<double, 4> texel_from(const ReflectionLobeTable& table, int tap, double cos_theta,
+                                 double alpha, double edge) {
+  const f64::vec3 u = f64::lobeCoordinateOf(tap, table.taps, cos_theta, alpha, edge);
+  return lookup<3>(
+      table.texels,
+      {f64::LOBE_TABLE_SIZE, f64::LOBE_TABLE_SIZE * table.taps, f64::LOBE_TABLE_SLICES},
+      {u.x, u.y, u.z});
+}
+
+f64::LobeEnergy reflection_energy_at(const Model& model, double cos_theta, double alpha) {
+  const auto& table =
+      kept<ReflectionEnergyTable>(number_of(model), [&](const std::filesystem::path& directory) {
+        return read_reflection_energy(directory, model);
+      });
+  const f64::vec2 u = f64::energyCoordinate(cos_theta, alpha);
+  const auto t =
+      lookup<2>(table.texels, {f64::ENERGY_TABLE_SIZE, f64::ENERGY_TABLE_SIZE}, {u.x, u.y});
+  return f64::lobeEnergy(f64::vec4(t[0], t[1], t[2], t[3]));
+}
+
+std::array<double, 4> reflection_texel_at(const Model& model, int tap, int taps, double cos_theta,
+                                          double alpha, double edge) {
+  const auto& table = kept<ReflectionLobeTable>(
+      8 * taps + number_of(model), [&](const std::filesystem::path& directory) {
+        return read_reflection_lobes(directory, model, taps);
+      });
+  return texel_from(table, tap, cos_theta, alpha, edge);
+}
+
 f64::InterfaceEnergy energy_from(const InterfaceEnergyTable& table, double cos_theta, double alpha,
                                  double eta) {
   const f64::vec3 u = f64::interfaceEnergyCoordinate(cos_theta, alpha, eta);

@@ -3,6 +3,7 @@
 
 #include "glsl/f64.h"
 #include "tables/interface_table.h"
+#include "tables/reflection_table.h"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +43,14 @@ glsl::f64::InterfaceEnergy interface_energy_at(const Model& model, double cos_th
 glsl::f64::InterfaceTap interface_tap_at(const Model& model, int tap, int taps, double cos_theta,
                                          double alpha, double eta);
 
+// What fetchLobeEnergy reads, and of fetchLobeTapOf the texel: lean, sigma / alpha, weight.
+glsl::f64::LobeEnergy reflection_energy_at(const Model& model, double cos_theta, double alpha);
+std::array<double, 4> reflection_texel_at(const Model& model, int tap, int taps, double cos_theta,
+                                          double alpha, double edge);
+
 // The same from tables that are not (yet) in files.
+std::array<double, 4> texel_from(const ReflectionLobeTable& table, int tap, double cos_theta,
+                                 double alpha, double edge);
 glsl::f64::InterfaceEnergy energy_from(const InterfaceEnergyTable& table, double cos_theta,
                                        double alpha, double eta);
 glsl::f64::InterfaceTap tap_from(const InterfaceLobeTable& table, int tap, double cos_theta,

@@ -11,7 +11,7 @@ namespace {
 
 namespace glsl = gg::glsl::f64;
 
-constexpr int energy_points = 64; // squared
+constexpr int energy_points = 48; // squared
 constexpr int lobe_points =
     768; // the fits' own noise, from the choice of maps, is ten times that of these
 constexpr std::size_t least_points = 96; // a lobe of fewer has no shape
@@ -69,11 +69,15 @@ int interface_grid_steps() {
 }
 
 int interface_lobe_steps() {
-  return grid_steps({0, glsl::INTERFACE_LOBE_ALPHAS, 0, {}});
+  return grid_steps({0, glsl::INTERFACE_LOBE_ALPHAS, 0, 1, {}});
 }
 
 Grid interface_grid(const FitViews& views, const Model& model, const Step& step) {
-  Grid grid{glsl::INTERFACE_LOBE_COSINES, glsl::INTERFACE_LOBE_ALPHAS, slices, {}};
+  Grid grid{glsl::INTERFACE_LOBE_COSINES,
+            glsl::INTERFACE_LOBE_ALPHAS,
+            slices,
+            glsl::INTERFACE_SLICES,
+            {}};
   grid.cells.resize(static_cast<std::size_t>(grid.nx * grid.ny * grid.nz));
   for (int y = 0; y < grid.ny; ++y) {
     tbb::parallel_for(0, grid.nx * grid.nz, [&](int i) {
@@ -87,23 +91,7 @@ Grid interface_grid(const FitViews& views, const Model& model, const Step& step)
 
 InterfaceLobeTable make_interface_lobes(const Model& model, const FitViews& views, const Grid& grid,
                                         int taps, const Step& step) {
-  const std::vector<TapSet> sets = fit_grid(views, grid, taps, step);
-  InterfaceLobeTable table{model, taps, {}};
-  table.texels.resize(4 * static_cast<std::size_t>(taps) * grid.cells.size());
-  for (int slice = 0; slice < grid.nz; ++slice)
-    for (int k = 0; k < taps; ++k)
-      for (int y = 0; y < grid.ny; ++y)
-        for (int x = 0; x < grid.nx; ++x) {
-          const Gaussian& g = sets[grid.index(x, y, slice)][static_cast<std::size_t>(k)];
-          float* texel = &table.texels[4
-                                       * static_cast<std::size_t>(
-                                           ((slice * taps + k) * grid.ny + y) * grid.nx + x)];
-          // The lean of a lobe fades faster than its width: at alpha 0 it is Snell's.
-          texel[0] = y == 0 ? 0.0f : static_cast<float>(g.angle);
-          texel[1] = static_cast<float>(g.sigma);
-          texel[2] = static_cast<float>(g.weight);
-        }
-  return table;
+  return {model, taps, offsets_and_widths(grid, fit_grid(views, grid, taps, step), taps)};
 }
 
 } // namespace gg::tables

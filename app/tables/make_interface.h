@@ -4,13 +4,9 @@
 #include "tables/grid_fit.h"
 #include "tables/interface_table.h"
 
-#include <functional>
-
 namespace gg::tables {
 
 // `step` is called by one thread at a time, as often as ..._steps() says.
-using Step = std::function<void()>;
-
 InterfaceShares make_interface_energy_cell(const Model& model, int x, int y, int slice);
 InterfaceEnergyTable make_interface_energy(const Model& model, const Step& step);
 int interface_energy_steps();

@@ -210,7 +210,7 @@ double log_error(const FitViews& views, const FitTarget& target, const TapSet& t
   return std::sqrt(problem.residuals(problem.from(taps), r));
 }
 
-FitResult fit(const FitViews& views, const FitTarget& target, const TapSet& start,
+FitResult fit(const FitViews& views, const FitTarget& target, const TapSet& start, int iterations,
               std::span<const Gaussian> towards) {
   Problem problem(views, target, static_cast<int>(start.size()));
   const auto n = static_cast<std::size_t>(problem.parameters());
@@ -222,7 +222,7 @@ FitResult fit(const FitViews& views, const FitTarget& target, const TapSet& star
   double error = problem.residuals(p, r);
   double cost = error + (pulled ? pull * distance(p, home, n) : 0.0);
   double damping = 1e-2;
-  for (int iteration = 0; iteration < 40 && damping < 1e5; ++iteration) {
+  for (int iteration = 0; iteration < iterations && damping < 1e5; ++iteration) {
     if (iteration > 0) problem.residuals(p, r); // a refused step has moved the reads
     problem.derivatives(p, columns);
     std::array<std::array<double, most_parameters>, most_parameters> normal{};
@@ -249,7 +249,7 @@ FitResult fit(const FitViews& views, const FitTarget& target, const TapSet& star
       const double trial_cost = trial_error + (pulled ? pull * distance(q, home, n) : 0.0);
       better = trial_cost < cost;
       if (better) {
-        done = cost - trial_cost < 1e-4 * cost;
+        done = cost - trial_cost < 1e-3 * cost;
         cost = trial_cost;
         error = trial_error;
         p = q;
@@ -263,7 +263,8 @@ FitResult fit(const FitViews& views, const FitTarget& target, const TapSet& star
   return {problem.set(p), std::sqrt(error), cost};
 }
 
-FitResult fit_from_scratch(const FitViews& views, const FitTarget& target, int taps) {
+FitResult fit_from_scratch(const FitViews& views, const FitTarget& target, int taps,
+                           int iterations) {
   // {angle, sigma, weight} in widths: a core with tails about it, and a row along the plane of incidence.
   static const std::vector<TapSet> starts[most_taps] = {
       {{{0, 0.8, 1}}},
@@ -279,7 +280,7 @@ FitResult fit_from_scratch(const FitViews& views, const FitTarget& target, int t
       g.angle = target.lens.angle + g.angle * target.width;
       g.sigma *= target.width;
     }
-    FitResult result = fit(views, target, start);
+    FitResult result = fit(views, target, start, iterations);
     if (result.error < best.error) best = std::move(result);
   }
   return best;

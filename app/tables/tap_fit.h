@@ -39,10 +39,11 @@ double log_error(const FitViews& views, const FitTarget& target, const TapSet& t
 
 // The nearest minimum from `start` by Levenberg and Marquardt's method on (angle, ln sigma, logits of the weights). Where
 // `towards` is not empty (as many taps), a weak pull prefers it among the nearly as good.
-FitResult fit(const FitViews& views, const FitTarget& target, const TapSet& start,
+FitResult fit(const FitViews& views, const FitTarget& target, const TapSet& start, int iterations,
               std::span<const Gaussian> towards = {});
 
 // The best of several starts that know nothing but the lobe's place and width.
-FitResult fit_from_scratch(const FitViews& views, const FitTarget& target, int taps);
+FitResult fit_from_scratch(const FitViews& views, const FitTarget& target, int taps,
+                           int iterations);
 
 } // namespace gg::tables

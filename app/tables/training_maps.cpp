@@ -163,7 +163,12 @@ Radiance family(int which, std::uint64_t seed) {
     return windows(random, seed);
   case 5:
     return stripes(random, seed);
-  case 6: // canopy: holes of sky between leaves
+  case 6: { // dark room: a few lamps, and next to nothing else
+    const auto lamps = patches(random, 5, 0.05f, 0.4f, 2.0f, 200.0f);
+    return
+        [=](const vec3& d) { return 0.02f * std::exp(clouds(d, seed, 2.0f)) + light_of(lamps, d); };
+  }
+  case 7: // canopy: holes of sky between leaves
     return [=](const vec3& d) {
       const float leaves = clouds(d, seed, 4.0f, 1.5f);
       return d.y > -0.2f && leaves > 0.6f ? 12.0f : 0.3f * std::exp(0.7f * leaves);
@@ -180,9 +185,9 @@ Radiance family(int which, std::uint64_t seed) {
 } // namespace
 
 std::vector<TrainingMap> training_maps(int size, int draw) {
-  static const char* const names[] = {"clouds",  "sky",     "studio", "night",
-                                      "windows", "stripes", "canopy", "horizon"};
-  const int count = draw >= held_out_draws[0] ? 8 : 6;
+  static const char* const names[] = {"clouds",  "sky",       "studio", "night",  "windows",
+                                      "stripes", "dark room", "canopy", "horizon"};
+  const int count = draw >= held_out_draws[0] ? 9 : 7;
   std::vector<TrainingMap> maps;
   for (int i = 0; i < count; ++i) {
     const auto seed = static_cast<std::uint64_t>(1000 * draw + i + 1);

@@ -15,7 +15,7 @@ struct TrainingMap {
 };
 
 // `draw` 0, 1: seen by the fits; 2, 3: held out. Families: clouds (1/f noise), sky with a sun, studio, night, windows,
-// stripes; the held-out draws have two more that no fit has seen, canopy and horizon.
+// stripes, dark room; the held-out draws have two more that no fit has seen, canopy and horizon.
 std::vector<TrainingMap> training_maps(int size, int draw);
 inline constexpr int fitted_draws[] = {0, 1}, held_out_draws[] = {2, 3};
 

@@ -1,6 +1,6 @@
 // Facets drawn, and what each sends through the interface.
 #include "glsl/f64.h"
-#include "tables/lobe.h"
+#include "tables/facets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,19 +12,6 @@ namespace {
 using namespace gg::glsl::f64;
 const vec3 up(0, 0, 1);
 
-// GGX by its visible normals, the others by D |wm . n|. `azimuth` turns about the view or the normal; `radius` leads from
-// facets along it to those that lean far.
-vec3 draw_facet(const Model& model, double alpha, const vec3& wo, double azimuth, double radius) {
-  switch (model.distribution) {
-  case Distribution::ggx:
-    return ggxSampleVisible(wo, vec2(alpha, alpha), vec2(azimuth, radius));
-  case Distribution::beckmann:
-    return beckmannSample(alpha, vec2(radius, azimuth));
-  default:
-    return phongSample(phongExponent(alpha), vec2(radius, azimuth));
-  }
-}
-
 // Density of draw_facet.
 double facet_density(const Model& model, double alpha, const Facet& f) {
   switch (model.distribution) {
@@ -35,23 +22,6 @@ double facet_density(const Model& model, double alpha, const Facet& f) {
   default:
     return phongPdf(f.h, phongExponent(alpha));
   }
-}
-
-// The share of what meets the facet wm (all of it, Fresnel's factor aside) that shadowing and masking let pass from wo to
-// wi: f cos over the density of wi, with wo's cosine divided out on paper.
-double passed(const Model& model, double alpha, const vec3& wo, const vec3& wi, const vec3& wm) {
-  const Tilt i = tilt(wi), o = tilt(wo);
-  if (model.distribution == Distribution::ggx) {
-    const double root_o = ggxRoot(o, alpha), root_i = ggxRoot(i, alpha);
-    if (model.smith == Smith::separable) return 2.0 * i.z / (i.z + root_i);
-    if (wi.z > 0.0) return i.z * (o.z + root_o) / (root_i * o.z + root_o * i.z);
-    const double lambda_o = ggxLambda(o, alpha);
-    return smithG2Beta(ggxLambda(i, alpha), lambda_o) * (1.0 + lambda_o);
-  }
-  const double v = model.distribution == Distribution::beckmann
-                       ? beckmannV(i, o, alpha)
-                       : phongV(i, o, phongExponent(alpha));
-  return 4.0 * v * dot(wo, wm) * i.z / wm.z;
 }
 
 vec3 direction_of(double cos_theta) {
@@ -69,6 +39,32 @@ double weighted_median(std::vector<std::pair<double, double>>& value_and_weight)
 }
 
 } // namespace
+
+vec3 draw_facet(const Model& model, double alpha, const vec3& wo, double azimuth, double radius) {
+  switch (model.distribution) {
+  case Distribution::ggx:
+    return ggxSampleVisible(wo, vec2(alpha, alpha), vec2(azimuth, radius));
+  case Distribution::beckmann:
+    return beckmannSample(alpha, vec2(radius, azimuth));
+  default:
+    return phongSample(phongExponent(alpha), vec2(radius, azimuth));
+  }
+}
+
+double passed(const Model& model, double alpha, const vec3& wo, const vec3& wi, const vec3& wm) {
+  const Tilt i = tilt(wi), o = tilt(wo);
+  if (model.distribution == Distribution::ggx) {
+    const double root_o = ggxRoot(o, alpha), root_i = ggxRoot(i, alpha);
+    if (model.smith == Smith::separable) return 2.0 * i.z / (i.z + root_i);
+    if (wi.z > 0.0) return i.z * (o.z + root_o) / (root_i * o.z + root_o * i.z);
+    const double lambda_o = ggxLambda(o, alpha);
+    return smithG2Beta(ggxLambda(i, alpha), lambda_o) * (1.0 + lambda_o);
+  }
+  const double v = model.distribution == Distribution::beckmann
+                       ? beckmannV(i, o, alpha)
+                       : phongV(i, o, phongExponent(alpha));
+  return 4.0 * v * dot(wo, wm) * i.z / wm.z;
+}
 
 std::vector<LobeSample> transmission_lobe(const Model& model, double alpha, double cos_theta,
                                           double eta, int count) {

@@ -1,7 +1,7 @@
 // lobe_table.glsl: where the tables of the reflection lobe are read, and what is made of what they hold.
 // Frame    any: n, wo, r unit; r the mirror image of wo.
 // alpha    slope width in [0, 1] (clamped).
-// Returns  energyCoordinate, lobeCoordinate: texture coordinates in [0, 1], half a texel in from the edges.
+// Returns  energyCoordinate, lobeCoordinate (one tap), lobeCoordinateOf (of `taps`): texture coordinates in [0, 1].
 //          lobeAlbedo...: the fraction of light reflected, hemispherical-directional, single scattering, in [0, 1].
 //          edgeShare: how much of it comes from Schlick's edge, in [0, 1]. lobeDirection: unit. diffuseFresnel..: mean of F
 //          over the facets that join wo to a diffuse hemisphere.
@@ -10,6 +10,8 @@
 //          dielectrics from 1.1 to 2.5, for Schlick's form and for metals (aluminium is the worst, others 0.002).
 #ifndef GG_ENVIRONMENT_LOBE_TABLE_GLSL
 #define GG_ENVIRONMENT_LOBE_TABLE_GLSL
+
+#include "environment/table_axis.glsl"
 
 const int ENERGY_TABLE_SIZE = 64; // texels along both axes
 const int LOBE_TABLE_SIZE = 32;   // texels along cos and alpha
@@ -26,22 +28,24 @@ struct LobeEnergy {
 // One lookup in a Gaussian stack.
 struct LobeTap {
   vec3 direction;
-  float sigma; // radians
+  float sigma;  // radians
+  float weight; // of K taps they sum to 1; tap 0 is the core, the narrowest
 };
 
-// Nodes at i / (size - 1) of the square root of both: grazing angles and small widths need the detail.
-float tableCoordinate(float x, int size) {
-  return (clamp(x, 0.0, 1.0) * float(size - 1) + 0.5) / float(size);
-}
-
+// Square roots: grazing angles and small widths need the detail.
 vec2 energyCoordinate(float cosTheta, float alpha) {
   return vec2(tableCoordinate(sqrt(max(cosTheta, 0.0)), ENERGY_TABLE_SIZE),
               tableCoordinate(sqrt(max(alpha, 0.0)), ENERGY_TABLE_SIZE));
 }
 
-vec3 lobeCoordinate(float cosTheta, float alpha, float edge) {
+vec3 lobeCoordinateOf(int tap, int taps, float cosTheta, float alpha, float edge) {
   return vec3(tableCoordinate(sqrt(max(cosTheta, 0.0)), LOBE_TABLE_SIZE),
-              tableCoordinate(sqrt(max(alpha, 0.0)), LOBE_TABLE_SIZE), tableCoordinate(edge, LOBE_TABLE_SLICES));
+              blockCoordinate(sqrt(max(alpha, 0.0)), LOBE_TABLE_SIZE, tap, taps),
+              tableCoordinate(edge, LOBE_TABLE_SLICES));
+}
+
+vec3 lobeCoordinate(float cosTheta, float alpha, float edge) {
+  return lobeCoordinateOf(0, 1, cosTheta, alpha, edge);
 }
 
 LobeEnergy lobeEnergy(vec4 texel) {
@@ -60,7 +64,7 @@ vec3 lobeMeanRgb(LobeEnergy e, vec3 fAtCos1, vec3 fAtCos2) { return mix(fAtCos2,
 // Of a mean reflectance, what exceeds the reflectance f0 at normal incidence. 0 where the edge takes light away.
 float edgeShare(float f0, float mean) { return mean > 0.0 ? clamp(1.0 - f0 / mean, 0.0, 1.0) : 0.0; }
 
-// From the mirror direction (lean 0) towards the normal (lean 1).
+// From the mirror direction (lean 0) towards the normal (lean 1), or beyond either.
 vec3 lobeDirection(vec3 r, vec3 n, float lean) { return normalize(mix(r, n, lean)); }
 
 // Two effective angles for the diffuse term, whose facets join wo to every wi with weight wi.n / pi (no width enters):

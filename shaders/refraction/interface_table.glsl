@@ -14,6 +14,7 @@
 #define GG_REFRACTION_INTERFACE_TABLE_GLSL
 
 #include "bsdf/fresnel_dielectric.glsl"
+#include "environment/table_axis.glsl"
 
 // Texels along cos (odd, so that the critical angle is a node), along alpha, along eta on either side.
 const int INTERFACE_ENERGY_COSINES = 65;
@@ -57,12 +58,6 @@ float interfaceEtaAxis(float eta) {
   return (n - 1.0) / (n + 1.0) * ((INTERFACE_GREATEST_ETA + 1.0) / (INTERFACE_GREATEST_ETA - 1.0));
 }
 
-// Nodes at i / (size - 1) of block number `block` of `blocks` equal ones: half a texel in from its edges.
-float blockCoordinate(float x, int size, int block, int blocks) {
-  float texel = float(block * size) + clamp(x, 0.0, 1.0) * float(size - 1) + 0.5;
-  return texel / float(size * blocks);
-}
-
 // Entering lies before leaving.
 vec3 interfaceEnergyCoordinate(float cosTheta, float alpha, float eta) {
   return vec3(blockCoordinate(interfaceCosineAxis(cosTheta, eta), INTERFACE_ENERGY_COSINES, 0, 1),
@@ -83,13 +78,17 @@ float interfaceSnell(float cosTheta, float eta) {
 
 // A facet that leans by t turns what it refracts by |cos_t - cos_i / eta| t across the plane of incidence and 1 / cos_t
 // times that within it; the geometric mean of both. At the critical angle, where that grows beyond bounds, alpha bounds it:
-// turned by that much, cos_t is no longer 0. The difference of cosines is written without subtracting.
+// turned by that much, cos_t is no longer 0. Past it only facets that lean back as far let anything through, whatever
+// alpha, and total reflection and the horizon cut wide lobes off at about a quarter of a radian.
+// The difference of cosines is written without subtracting.
 float interfaceWidth(float cosTheta, float alpha, float eta) {
   float g = fresnelG(clamp(cosTheta, 0.0, 1.0), eta);
   float critical = sqrt(max((1.0 - eta) * (1.0 + eta), 0.0));
   float across = abs((eta - 1.0) * (eta + 1.0)) / max(eta * (g + max(cosTheta, critical)), 1e-30);
   float cosT = g / eta;
-  return alpha * across * inversesqrt(sqrt(cosT * cosT + max(alpha, 1e-12)));
+  float lean = alpha + max(critical - cosTheta, 0.0);
+  float width = lean * across * inversesqrt(sqrt(cosT * cosT + max(lean, 1e-12)));
+  return width / (1.0 + 2.0 * width);
 }
 
 InterfaceEnergy interfaceEnergy(vec4 texel) {

@@ -52,16 +52,7 @@ dvec3 snell(const dvec3& d, const dvec3& n, double ratio) {
 
 // Sigma of the reflection lobe at normal incidence, what environment maps are blurred by for a given roughness.
 double mirror_width(const tables::Model& model, double alpha) {
-  static const tables::ReflectionTable table =
-      tables::read(home_directory() / "assets" / "tables", tables::models[0]);
-  static const tables::ReflectionTable beckmann =
-      tables::read(home_directory() / "assets" / "tables", tables::models[2]);
-  const bool ggx = model.distribution == tables::Distribution::ggx;
-  const auto u = f64::lobeCoordinate(1.0, alpha, 0.0);
-  return tables::lookup<3>((ggx ? table : beckmann).lobe,
-                           {f64::LOBE_TABLE_SIZE, f64::LOBE_TABLE_SIZE, f64::LOBE_TABLE_SLICES},
-                           {u.x, u.y, u.z})[1]
-         * alpha;
+  return tables::reflection_texel_at(model, 0, 1, 1.0, alpha, 0.0)[1] * alpha;
 }
 
 } // namespace
@@ -80,18 +71,22 @@ std::vector<Lookup> composed(const Configuration& c, const Shape& shape,
     const ExitSurface s = exit_of(c, inner.direction, curved);
     const ExitView view = f64::seeExit(inner, i == 0, s, k);
     const double energy = passed(c, view, s);
-    for (int j = 0; j < shape.second; ++j) {
+    const auto through = [&](int j) {
       const auto read = tables::interface_tap_at(
           c.model, j, shape.second, std::max(view.cosTheta, 0.0), view.alphaShape, s.eta);
-      taps.push_back(f64::composeTap(inner, view, s, read.angle, read.sigma, read.weight, energy));
+      return f64::composeTap(inner, view, s, read.angle, read.sigma, read.weight, energy);
+    };
+    if (shape.second == 2) {
+      const auto pair = f64::composedPair(through(0), through(1), view);
+      taps.insert(taps.end(), {pair.core, pair.rest});
+    } else {
+      taps.push_back(through(0));
     }
   }
-  if (shape.kept > 0)
-    while (static_cast<int>(taps.size()) > shape.kept) {
-      const ComposedTap last = taps.back();
-      taps.pop_back();
-      taps.back() = f64::mergeTaps(taps.back(), last);
-    }
+  if (shape.kept == 2 && taps.size() == 4) {
+    const auto pair = f64::mergePairs({taps[0], taps[1]}, {taps[2], taps[3]});
+    taps = {pair.core, pair.rest};
+  }
   std::vector<Lookup> result;
   for (const ComposedTap& tap : taps)
     result.push_back(lookup_of(tap));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "composition/truth.h"
-#include "tables/gaussian_fit.h"
+#include "tables/training.h"
 
 #include <vector>
 

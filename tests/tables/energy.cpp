@@ -24,7 +24,7 @@ TEST(energy_table, albedo_of_a_lossless_metal_is_within_half_a_per_cent) {
       for (double c : cosines) {
         const double exact =
             FacetAngles(reflection_lobe(model, alpha, c, Walk::grid, points)).albedo();
-        const double error = energy_at(model, c, alpha).albedo / exact - 1.0;
+        const double error = reflection_energy_at(model, c, alpha).albedo / exact - 1.0;
         worst = std::max(worst, std::abs(error));
         EXPECT_NEAR(error, 0.0, 0.005) << name(model) << " alpha " << alpha << " cos " << c;
       }
@@ -42,7 +42,7 @@ TEST(energy_table, two_angles_stand_for_every_fresnel_reflectance) {
     for (double alpha : alphas)
       for (double c : cosines) {
         const FacetAngles exact(reflection_lobe(model, alpha, c, Walk::grid, points / 2));
-        const auto e = energy_at(model, c, alpha);
+        const auto e = reflection_energy_at(model, c, alpha);
         for (const Reflectance& f : reflectances()) {
           const double error =
               e.albedo * glsl::f64::lobeMean(e, f.at(e.cos1), f.at(e.cos2)) - exact.integral(f.at);
@@ -61,7 +61,7 @@ TEST(energy_table, two_angles_stand_for_every_fresnel_reflectance) {
 
 TEST(energy_table, albedo_of_a_mirror_is_one) {
   for (double c : cosines)
-    EXPECT_NEAR(energy_at(models[0], c, 0.0).albedo, 1.0, 1e-6) << c;
+    EXPECT_NEAR(reflection_energy_at(models[0], c, 0.0).albedo, 1.0, 1e-6) << c;
 }
 
 TEST(energy_table, diffuse_angles_stand_for_every_fresnel_reflectance) {

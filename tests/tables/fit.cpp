@@ -1,7 +1,6 @@
-// How near one Gaussian comes to the lobe on environments that no fit has seen, beside what peers do.
-#include "tables/gaussian_fit.h"
+// How near one and two Gaussians come to lobes on environments that no fit has seen, beside what peers do.
 #include "tables/lookup.h"
-#include "tables/training_maps.h"
+#include "tables/proof.h"
 
 #include <gtest/gtest.h>
 
@@ -10,57 +9,69 @@
 namespace gg::tables {
 namespace {
 
-const Training& held_out() {
-  static const Training training = [] {
-    std::vector<SphereStack> stacks;
-    for (int draw : held_out_draws)
-      for (const TrainingMap& map : training_maps(128, draw))
-        stacks.emplace_back(map.map);
-    return Training(std::move(stacks), 32, 2);
-  }();
+const Training& maps() {
+  static const Training training = held_out_maps(128, 8);
   return training;
 }
 
-struct Errors {
-  double one_tap = 0.0, standard = 0.0, metals_table = 0.0;
-};
-Errors errors(const Model& model, double edge) {
-  Errors sum;
-  int count = 0;
-  for (double alpha : {0.05, 0.1, 0.2, 0.35, 0.5, 0.8})
-    for (double c : {1.0, 0.9, 0.75, 0.5, 0.3, 0.12}) {
-      const LobeRadiance truth =
-          lobe_radiance(held_out(), reflection_lobe(model, alpha, c, Walk::lattice, 1024));
-      const auto rms = [&](const std::array<double, 4>& texel, bool mirror) {
-        return log_error(held_out(), truth, edge, c, {mirror ? 0.0 : texel[0], texel[1] * alpha});
-      };
-      const double a = rms(tap_at(model, c, alpha, edge), false),
-                   b = rms(tap_at(model, 1.0, alpha, 0.0), true),
-                   m = rms(tap_at(model, c, alpha, 0.0), false);
-      sum.one_tap += a * a;
-      sum.standard += b * b;
-      sum.metals_table += m * m;
-      ++count;
-    }
-  return {std::sqrt(sum.one_tap / count), std::sqrt(sum.standard / count),
-          std::sqrt(sum.metals_table / count)};
+void print(const char* what, const Model& model, const Scores& s) {
+  std::printf("    %-20s %-10s standard %.3f  fis32 %.3f  taps", name(model).c_str(), what,
+              s.rms("standard"), s.rms("fis32"));
+  for (int k = 1; k <= taps_of(model); ++k)
+    std::printf(" %.3f", s.rms("taps" + std::to_string(k)));
+  std::printf("\n");
 }
 
-TEST(one_tap, beats_the_split_sum_along_the_mirror_direction) {
+TEST(taps, are_nearer_to_reflection_than_the_split_sum) {
   for (const Model& model : models) {
-    const Errors e = errors(model, 0.0);
-    std::printf("    %-20s metal       one tap %.3f  standard %.3f\n", name(model).c_str(),
-                e.one_tap, e.standard);
-    EXPECT_LT(e.one_tap, 0.75 * e.standard) << name(model);
+    const Scores s = score(maps(), model, Side::reflection, short_sweep());
+    print("reflected", model, s);
+    EXPECT_GT(s.gain("taps1"), 1.5) << name(model);
+    EXPECT_GT(s.gain("taps2"), 2.5) << name(model);
   }
 }
 
-TEST(one_tap, needs_its_axis_for_the_fresnel_edge) {
-  const Errors e = errors(models[0], 0.5);
-  std::printf("    half from the edge: one tap %.3f  the metal's tap %.3f  standard %.3f\n",
-              e.one_tap, e.metals_table, e.standard);
-  EXPECT_LT(e.one_tap, e.metals_table);
-  EXPECT_LT(e.one_tap, e.standard);
+TEST(taps, are_nearer_to_transmission_than_roughness_scaled_by_index) {
+  for (const Model& model : models)
+    for (Side side : {Side::entering, Side::leaving}) {
+      const Scores s = score(maps(), model, side, short_sweep());
+      print(side == Side::entering ? "entering" : "leaving", model, s);
+      EXPECT_GT(s.gain("taps1"), 2.0) << name(model);
+      EXPECT_GT(s.gain("taps2"), 3.0) << name(model);
+    }
+}
+
+// A dielectric's edge leans its lobe towards grazing facets: the metal's tap is another.
+TEST(taps, of_reflection_need_their_axis_for_the_fresnel_edge) {
+  constexpr double edge = 0.5;
+  double own = 0.0, metal = 0.0;
+  for (double alpha : {0.1, 0.35, 0.8})
+    for (double c : {1.0, 0.75, 0.5, 0.2}) {
+      const std::vector<LobeSample> lobe =
+          reflection_lobe(models[0], alpha, c, Walk::lattice, 1024);
+      double flat_sum = 0.0, edge_sum = 0.0;
+      for (const LobeSample& s : lobe) {
+        flat_sum += s.weight;
+        edge_sum += s.weight * glsl::f64::schlickWeight(s.cos_facet);
+      }
+      std::vector<double> weights;
+      for (const LobeSample& s : lobe)
+        weights.push_back(
+            s.weight
+            * ((1.0 - edge) / flat_sum + edge * glsl::f64::schlickWeight(s.cos_facet) / edge_sum));
+      const std::vector<double> truth = radiance(maps(), lobe, weights);
+      const glsl::f64::vec3 n(0, 0, 1), mirror(-std::sqrt(1.0 - c * c), 0.0, c);
+      const auto error = [&](double share) {
+        const auto t = reflection_texel_at(models[0], 0, 1, c, alpha, share);
+        return log_error(maps(), truth,
+                         {{glsl::f64::lobeDirection(mirror, n, t[0]), t[1] * alpha, 1.0}});
+      };
+      own += error(edge) * error(edge);
+      metal += error(0.0) * error(0.0);
+    }
+  std::printf("    half from the edge: one tap %.3f  the metal's tap %.3f\n", std::sqrt(own / 12),
+              std::sqrt(metal / 12));
+  EXPECT_LT(own, metal);
 }
 
 } // namespace
