@@ -3,6 +3,7 @@
 //          where it leaves, ComposedTap.direction travels outside. All unit. Either side may be the denser one.
 // alpha    slope width of the exit, [0, 1]; sigma: radians. eta = n_outside / n_inside at the exit (> 0).
 // Returns  composeTap: one tap outside; weight 0 where the tap does not meet the face. mergeTaps: two taps as one.
+//          composedPair, mergePairs: core and rest of an exit's two taps; of the entry's two.
 // Source   variances add through Snell's Jacobian where lobes are narrow [Walter07]; beyond that a fit (tests/composition).
 // Limits   single scattering, sigma is the geometric mean of the two axes, isotropic alpha, no twist of a curved exit.
 //          Worst for rough entry and nearly smooth exit within 5 degrees of the critical angle, where the truth is a lobe cut off
@@ -31,10 +32,9 @@ const float INDEX_MATCHED = 1e-4;
 // saturation, 0.3 rad); a facet is never seen closer to grazing than 0.2, where its lobe's far side is cut off.
 const float COMPOSED_WIDEST = 0.3;
 const float FACET_LEAST_COS = 0.2;
-// A focus on the exit itself: rays that meet there all have one angle of incidence, and none of them is half the spread.
-const float LEAST_SWING = 0.2;
-// Of the facet's tilt that the widened table attributes to rays; the other half is the tables' visible-normal bias.
-const float GIVEN_BACK = 0.5;
+// Of the facets' mean tilt that the widened table has, the part that is the rays' and turns with them; the rest is there without
+// rays, as facets that lean towards the ray are seen more.
+const float GIVEN_BACK = 0.7;
 
 // (angle, sigma, weight): a tap of the exit's table at (view.cosTheta, view.alphaShape, s.eta), angle from n towards the side
 // that the ray travels to. energy: what the exit lets through at (view.cosTheta, view.alphaEnergy, s.eta).
@@ -64,19 +64,18 @@ ComposedTap composeTap(InnerTap inner, ExitView view, ExitSurface s, float angle
   float ci = dot(d, h) / bend;
   float co = max(dot(l, h) / bend, FACET_LEAST_COS);
 
-  float swing = view.swing < 0.0 ? min(view.swing, -LEAST_SWING) : max(view.swing, LEAST_SWING);
   float rays = 1.0 - view.own;
-  float turned = clamp(angle - GIVEN_BACK * rays / swing * atan(h.x, abs(h.y)), -0.5 * BSDF_PI, 0.5 * BSDF_PI);
+  float turned = clamp(angle - GIVEN_BACK * rays / view.swing * atan(h.x, abs(h.y)), -0.5 * BSDF_PI, 0.5 * BSDF_PI);
   tap.direction = normalize(sin(turned) * t + cos(turned) * s.n);
 
-  float kept = view.own - rays * s.turn.x / swing;
+  float kept = view.own - rays * (1.0 - view.swing) / view.swing;
   float seen = sigma * inversesqrt(co) * (ratio * ci - kept * co) / bend;
   float across = ratio + (co - ratio * ci) * s.turn.y;
   float sigma2 = inner.sigma * inner.sigma;
   float inPlane = min(seen * seen + view.own * sigma2, COMPOSED_WIDEST * COMPOSED_WIDEST);
   float outOfPlane = view.own * sigma * sigma * co + across * across * sigma2;
   tap.sigma = sqrt(sqrt(inPlane * outOfPlane));
-  float carriedInPlane = (swing < 0.0 ? -sqrt(rays) : sqrt(rays)) * seen + view.own * inner.sigma;
+  float carriedInPlane = (view.swing < 0.0 ? -sqrt(rays) : sqrt(rays)) * seen + view.own * inner.sigma;
   tap.carried = clamp(0.5 * (carriedInPlane + across * inner.sigma), -tap.sigma, tap.sigma);
   return tap;
 }
@@ -97,6 +96,32 @@ ComposedTap mergeTaps(ComposedTap a, ComposedTap b) {
   tap.inner = sqrt(inner2);
   tap.carried = tap.inner > 0.0 ? both / tap.inner : 0.0;
   return tap;
+}
+
+// What one tap of the entry becomes, or the whole lobe.
+struct ComposedPair {
+  ComposedTap core;
+  ComposedTap rest;
+};
+
+// The two taps of an exit's table. Its tail is that of facets: rays have theirs in a tap of their own. So much of it as stands
+// for a spread of rays goes to the core.
+ComposedPair composedPair(ComposedTap core, ComposedTap tail, ExitView view) {
+  float moved = (1.0 - view.own) * tail.weight;
+  ComposedPair pair;
+  pair.core = core;
+  pair.rest = tail;
+  pair.core.weight = core.weight + moved;
+  pair.rest.weight = tail.weight - moved;
+  return pair;
+}
+
+// Of the entry's core and tail: core through core is kept, the other three are one.
+ComposedPair mergePairs(ComposedPair core, ComposedPair tail) {
+  ComposedPair pair;
+  pair.core = core.core;
+  pair.rest = mergeTaps(mergeTaps(core.rest, tail.core), tail.rest);
+  return pair;
 }
 
 #endif

@@ -40,25 +40,20 @@ ComposedTap fetchComposed(sampler3D energyTable, sampler3D lobeTable, InnerTap i
   return fetchComposedTap(lobeTable, 0, 1, inner, view, s, fetchExitEnergy(energyTable, view, s));
 }
 
-struct ComposedPair {
-  ComposedTap core;
-  ComposedTap rest;
-};
+// One first tap, through the exit that it meets, with a table of two.
+ComposedPair fetchExitPair(sampler3D energyTable, sampler3D lobeTable, InnerTap inner, bool core, ExitSurface s,
+                           Widening k) {
+  ExitView view = seeExit(inner, core, s, k);
+  float energy = fetchExitEnergy(energyTable, view, s);
+  return composedPair(fetchComposedTap(lobeTable, 0, 2, inner, view, s, energy),
+                      fetchComposedTap(lobeTable, 1, 2, inner, view, s, energy), view);
+}
 
-// Two first taps, each with the exit that it meets (the same one, for flat faces): core through core is kept, the other three
-// merge. (Four unmerged taps are no better: tests/composition.)
+// Two first taps, each with its own exit (the same one, for flat faces). Four taps unmerged are no better: tests/composition.
 ComposedPair fetchComposedPair(sampler3D energyTable, sampler3D lobeTable, InnerTap core, ExitSurface coreExit,
                                InnerTap tail, ExitSurface tailExit, Widening k) {
-  ExitView coreView = seeExit(core, true, coreExit, k);
-  ExitView tailView = seeExit(tail, false, tailExit, k);
-  float coreEnergy = fetchExitEnergy(energyTable, coreView, coreExit);
-  float tailEnergy = fetchExitEnergy(energyTable, tailView, tailExit);
-  ComposedPair pair;
-  pair.core = fetchComposedTap(lobeTable, 0, 2, core, coreView, coreExit, coreEnergy);
-  pair.rest = mergeTaps(mergeTaps(fetchComposedTap(lobeTable, 1, 2, core, coreView, coreExit, coreEnergy),
-                                  fetchComposedTap(lobeTable, 0, 2, tail, tailView, tailExit, tailEnergy)),
-                        fetchComposedTap(lobeTable, 1, 2, tail, tailView, tailExit, tailEnergy));
-  return pair;
+  return mergePairs(fetchExitPair(energyTable, lobeTable, core, true, coreExit, k),
+                    fetchExitPair(energyTable, lobeTable, tail, false, tailExit, k));
 }
 
 float fetchReflectedInside(sampler3D energyTable, InnerTap inner, ExitView view, ExitSurface s) {

@@ -26,9 +26,11 @@ struct InnerTap {
 // By how much a spread of rays widens the facets that an exit's tables are read at: alpha² + (k sigma)².
 struct Widening {
   float shape;      // for directions and widths. The tables' own sigma per alpha and radian of facet tilt is about 1 / shape
+  float shapeRays;  // the same where the face is smooth and all of the width the ray's: then only the tables' core is read
   float energyCore; // for the energy let through, first tap
   float energyTail; // the other taps
-  float reflected;  // for the energy thrown back inside
+  float reflectedCore; // for the energy thrown back inside
+  float reflectedTail;
 };
 
 // The exit as one inner tap sees it.
@@ -38,16 +40,18 @@ struct ExitView {
   float alphaEnergy; // where what passes is read
   float alphaReflected;
   float own;   // the share of alphaShape² that is the face's own
-  float swing; // turn of the angle of incidence per radian of the inner direction
+  float swing; // turn of the angle of incidence per radian of the inner direction, not 0
 };
 
 // Fitted to brute force for tables of that many taps.
 Widening wideningGgx(int taps) {
   Widening k;
   k.shape = taps > 1 ? 0.7 : 0.6;
-  k.energyCore = taps > 1 ? 1.0 : 0.95;
-  k.energyTail = 0.7;
-  k.reflected = 1.3;
+  k.shapeRays = taps > 1 ? 0.91 : 0.6;
+  k.energyCore = taps > 1 ? 1.05 : 0.95;
+  k.energyTail = 0.85;
+  k.reflectedCore = taps > 1 ? 1.0 : 0.8;
+  k.reflectedTail = 0.6;
   return k;
 }
 
@@ -55,9 +59,11 @@ Widening wideningGgx(int taps) {
 Widening wideningBeckmann(int taps) {
   Widening k;
   k.shape = taps > 1 ? 1.3 : 1.2;
+  k.shapeRays = taps > 1 ? 1.6 : 1.2;
   k.energyCore = 1.4;
   k.energyTail = 1.4;
-  k.reflected = 1.6;
+  k.reflectedCore = 1.2;
+  k.reflectedTail = 1.2;
   return k;
 }
 
@@ -72,20 +78,29 @@ vec2 exitTurn(float cosTheta, float pathLength, vec2 curvature) {
 // A solid sphere, where the path is 2 R cosTheta.
 vec2 sphereTurn(float cosTheta) { return vec2(2.0, 2.0 * cosTheta); }
 
+// A focus on the exit itself: rays that meet there all have one angle of incidence, and all that is asked of it is divided by how
+// fast that changes. This much off the focus the directions outside change by a twentieth of the spread.
+const float LEAST_SWING = 0.05;
+
 // The exit cannot tell a spread of rays from a spread of its facets: widened by the ray, its own table holds the edge of total
 // reflection, the bent mean and the width at which refraction saturates.
 ExitView seeExit(InnerTap inner, bool core, ExitSurface s, Widening k) {
   ExitView v;
   v.cosTheta = min(dot(inner.direction, s.n), 1.0);
   v.swing = 1.0 - s.turn.x;
+  v.swing = v.swing < 0.0 ? min(v.swing, -LEAST_SWING) : max(v.swing, LEAST_SWING);
   float alpha2 = s.alpha * s.alpha;
   float spread = inner.sigma * v.swing; // of the angle of incidence
   float spread2 = spread * spread;
-  float shape2 = alpha2 + k.shape * k.shape * spread2;
+  float rays2 = k.shape * k.shape * spread2;
+  float rays = rays2 > 0.0 ? rays2 / (alpha2 + rays2) : 0.0;
+  float shape = mix(k.shape, k.shapeRays, rays);
+  float shape2 = alpha2 + shape * shape * spread2;
   float energy = core ? k.energyCore : k.energyTail;
+  float reflected = core ? k.reflectedCore : k.reflectedTail;
   v.alphaShape = min(sqrt(shape2), 1.0);
   v.alphaEnergy = min(sqrt(alpha2 + energy * energy * spread2), 1.0);
-  v.alphaReflected = min(sqrt(alpha2 + k.reflected * k.reflected * spread2), 1.0);
+  v.alphaReflected = min(sqrt(alpha2 + reflected * reflected * spread2), 1.0);
   v.own = shape2 > 0.0 ? alpha2 / shape2 : 1.0;
   return v;
 }
@@ -94,7 +109,7 @@ ExitView seeExit(InnerTap inner, bool core, ExitSurface s, Widening k) {
 // is beyond the critical angle again: of the light that the next face would pass, this share gets there.
 const float LEAVES_NEXT = 0.65;
 float leavingNextAlpha(float innerSigma, float alpha, float nextAlpha) {
-  float spread = wideningGgx(1).reflected * innerSigma;
+  float spread = 1.3 * innerSigma;
   return min(sqrt(nextAlpha * nextAlpha + 3.0 * alpha * alpha + spread * spread), 1.0);
 }
 

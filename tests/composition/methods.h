@@ -13,8 +13,8 @@ namespace f64 = gg::glsl::f64;
 // The constants of the rule that a model asks for.
 f64::Widening widening(const tables::Model& model, int taps);
 
-// The rule of shaders/refraction, in the order of composition_fetch.glsl. `first` taps of the entry times `second` of the exit,
-// merged to `kept` (0: none are merged). Each first tap meets its own exit.
+// The rule of shaders/refraction, as composition_fetch.glsl has it: `first` taps of the entry times `second` of the exit (1 or
+// 2), merged to `kept` (2 of 4; 0: none are merged). Each first tap meets its own exit.
 struct Shape {
   int first = 2, second = 2, kept = 2;
 };

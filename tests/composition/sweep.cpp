@@ -163,7 +163,7 @@ int main(int argc, char** argv) {
       judge(m.taps(c, truth));
     if (floors)
       for (int k = 1; k <= 2; ++k) {
-        const auto start = composed(c, k == 1 ? Shape{2, 2, 1} : Shape{2, 2, 2});
+        const auto start = composed(c, k == 1 ? Shape{1, 1, 0} : Shape{2, 2, 2});
         judge(r.energy >= dark ? fitted(truth, seen_truth, start) : scaled(start, truth.energy));
       }
   });
