@@ -95,6 +95,11 @@ std::vector<TapSet> fit_grid(const FitViews& views, const Grid& grid, int taps, 
     });
     fitted = std::move(next);
   }
+  // Cells without light take their neighbours' taps: of the widest alpha those of the next larger cosine, then downwards.
+  for (int z = 0; z < grid.nz; ++z)
+    for (int x = grid.nx - 2; x >= 0; --x)
+      if (grid.cells[grid.index(x, grid.ny - 1, z)].empty)
+        fitted[grid.index(x, grid.ny - 1, z)] = fitted[grid.index(x + 1, grid.ny - 1, z)];
   for (int y = grid.ny - 2; y >= 0; --y)
     for (int z = 0; z < grid.nz; ++z)
       for (int x = 0; x < grid.nx; ++x)
