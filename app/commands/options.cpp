@@ -184,10 +184,10 @@ std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options) {
   }
 }
 
-frame::Method parse_method(const std::string& text) {
-  if (text == "standard") return frame::Method::standard;
-  if (text == "lobes1") return frame::Method::lobes1;
-  if (text == "lobes2") return frame::Method::lobes2;
+needs::Method parse_method(const std::string& text) {
+  if (text == "standard") return needs::Method::standard;
+  if (text == "lobes1") return needs::Method::lobes1;
+  if (text == "lobes2") return needs::Method::lobes2;
   if (text == "lobes3" || text == "lobes4" || text.starts_with("fis") || text == "auto")
     throw Error(ExitCode::unsupported, "--method", "'" + text + "' is not available yet",
                 "Available: standard, lobes1.");

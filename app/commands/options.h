@@ -2,7 +2,7 @@
 #pragma once
 
 #include "environment/map.h"
-#include "frame/features.h"
+#include "needs/features.h"
 #include "gpu/device.h"
 #include "scene/scene.h"
 
@@ -58,6 +58,6 @@ scene::Camera choose_camera(const SceneOptions& options, const scene::Scene& sce
 std::optional<environment::Map> load_environment(const SceneOptions& options,
                                                  const scene::Scene& scene);
 std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options);
-frame::Method parse_method(const std::string& text);
+needs::Method parse_method(const std::string& text);
 
 } // namespace gg::commands

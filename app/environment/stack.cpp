@@ -121,8 +121,11 @@ int face_for(const Map& map) {
                     least_face, greatest_face);
 }
 
-Builder::Builder(gpu::Device& device, const Map& map)
-    : device_(device), map_(fitted_between(map, least_face / 2, 2 * greatest_face)) {
+Map fitted(const Map& map) {
+  return fitted_between(map, least_face / 2, 2 * greatest_face);
+}
+
+Builder::Builder(gpu::Device& device, const Map& map) : device_(device), map_(fitted(map)) {
   face_ = face_for(map_);
   // The next power of two above the brightest pixel becomes 32,768, half of what a half float can hold.
   const float peak = *std::ranges::max_element(map_.rgb);
@@ -130,16 +133,24 @@ Builder::Builder(gpu::Device& device, const Map& map)
       peak > 0.0f ? std::ldexp(1.0f, std::clamp(std::ilogb(peak) + 1 - 15, -120, 120)) : 1.0f;
 }
 
+gpu::TextureDesc cube_desc(const std::string& label, int size, int level_count,
+                           gpu::Format format = gpu::Format::rgba16f) {
+  return {.label = label,
+          .shape = gpu::Shape::cube,
+          .format = format,
+          .width = size,
+          .height = size,
+          .levels = level_count,
+          .use = gpu::Use::sampled | gpu::Use::storage | gpu::Use::read_back};
+}
+
+int even_level_count(int face) {
+  return std::countr_zero(static_cast<unsigned>(face / smallest_level)) + 1;
+}
+
 gpu::TextureRef Builder::cube(const std::string& label, int size, int level_count,
                               gpu::Format format) {
-  return device_.create(
-      gpu::TextureDesc{.label = map_.name + ": " + label,
-                       .shape = gpu::Shape::cube,
-                       .format = format,
-                       .width = size,
-                       .height = size,
-                       .levels = level_count,
-                       .use = gpu::Use::sampled | gpu::Use::storage | gpu::Use::read_back});
+  return device_.create(cube_desc(map_.name + ": " + label, size, level_count, format));
 }
 
 gpu::TextureRef Builder::plane(const std::string& label, int width, int height,
@@ -262,7 +273,7 @@ void Builder::zonal(const gpu::View& from, int from_size, const gpu::View& to, i
 
 Stack Builder::build(std::vector<gpu::PassTime>* times) {
   device_.expect(stages);
-  const int even_levels = std::countr_zero(static_cast<unsigned>(face_ / smallest_level)) + 1;
+  const int even_levels = even_level_count(face_);
   stack_.even = cube("environment, even levels", face_, even_levels);
   stack_.odd = cube("environment, odd levels", face_ / 2, even_levels - 1);
   stack_.irradiance = cube("irradiance", irradiance_face, 1);
@@ -355,6 +366,12 @@ std::vector<Level> levels(const Stack& stack) {
 
 Stack build(gpu::Device& device, const Map& map, std::vector<gpu::PassTime>* times) {
   return Builder(device, map).build(times);
+}
+
+std::size_t bytes_of(const Map& map) {
+  const int face = face_for(fitted(map)), levels = even_level_count(face);
+  return bytes(cube_desc("", face, levels)) + bytes(cube_desc("", face / 2, levels - 1))
+         + bytes(cube_desc("", irradiance_face, 1));
 }
 
 } // namespace gg::environment

@@ -36,4 +36,7 @@ std::vector<Level> levels(const Stack& stack); // by growing sigma
 // Throws Error(device) as the device does.
 Stack build(gpu::Device& device, const Map& map, std::vector<gpu::PassTime>* times = nullptr);
 
+// Bytes of the cubes that build() leaves on a device.
+std::size_t bytes_of(const Map& map);
+
 } // namespace gg::environment

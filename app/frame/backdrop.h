@@ -11,15 +11,17 @@ namespace gg::frame {
 
 class Backdrop {
 public:
-  Backdrop(gpu::Device& device, int width, int height);
+  // With one level there is no blur, and the depth is only there if something looks for what it shows.
+  Backdrop(gpu::Device& device, int width, int height, int levels, bool with_depth);
 
-  // Adds the passes that fill it from the frame as it is when they run. What `foreground` draws is
-  // cut out; `begin` binds what all draws of the frame share. Depth is taken once, while it is that
-  // of opaque surfaces: rays pass other glass, and what they meet behind it shows its colour.
-  void add_passes(std::vector<gpu::Pass>& passes, const gpu::TextureRef& color,
-                  const gpu::TextureRef& depth, bool with_depth, Draws& draws,
-                  const std::vector<const Draw*>& foreground,
-                  const std::function<void(gpu::Encoder&)>& begin) const;
+  // Takes the frame as it is when the pass runs; with `takes_depth` its depth too.
+  gpu::Pass copy_pass(const gpu::TextureRef& color, const gpu::TextureRef& depth,
+                      bool takes_depth) const;
+  // Cuts out what `foreground` draws; `begin` binds what all draws of the frame share.
+  gpu::Pass foreground_pass(const gpu::TextureRef& depth, Draws& draws,
+                            const std::vector<const needs::Draw*>& foreground,
+                            const std::function<void(gpu::Encoder&)>& begin) const;
+  gpu::Pass level_pass(int level) const; // from the one before; level >= 1
 
   // Binds it for stages/surroundings.glsl.
   void bind(gpu::Encoder& encoder) const;
@@ -27,7 +29,9 @@ public:
   int last_level() const { return pyramid_->desc.levels - 1; }
 
 private:
-  gpu::TextureRef pyramid_, depth_;
+  gpu::View level(int l) const { return {pyramid_, l, 1, 0, 1}; }
+
+  gpu::TextureRef pyramid_, depth_; // depth null if there is none
   gpu::SamplerRef linear_, nearest_;
   gpu::PipelineRef copy_, copy_color_, halve_;
 };

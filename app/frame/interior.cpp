@@ -29,34 +29,31 @@ Interior::Interior(gpu::Device& device, int width, int height, int pairs)
       nearest_(device.create(
           gpu::SamplerDesc{.magnify = gpu::Filter::nearest, .minify = gpu::Filter::nearest})) {}
 
-void Interior::add_passes(std::vector<gpu::Pass>& passes, Draws& draws,
-                          std::vector<const Draw*> solids, int pairs,
-                          const std::function<void(gpu::Encoder&)>& begin) {
-  for (int layer = 0; layer < 2 * pairs; ++layer) {
-    const bool front = layer % 2 == 0, peeling = layer > 1;
-    const DrawPass pass{.label = peeling ? "interior behind" : "interior",
-                        .fragment = "interior.frag",
-                        .colors = {texel_format},
-                        .constants = {gpu::constant(peels, peeling)}};
-    std::vector<gpu::PipelineRef> pipelines;
-    for (const Draw* solid : solids)
-      pipelines.push_back(draws.pipeline(pass, *solid));
-    std::vector<gpu::View> reads = draws.sampled();
-    const gpu::View nearer{.texture = layers_, .layer = layer - 2};
-    if (peeling) reads.push_back(nearer);
-    passes.push_back({.label = labels[layer],
-                      .colors = {{.view = {.texture = layers_, .layer = layer},
-                                  .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}}},
-                      .depth = gpu::DepthTarget{.view = gpu::whole(depth_), .clear = 0.0f},
-                      .reads = reads,
-                      .record = [=, this, &draws](gpu::Encoder& encoder) {
-                        begin(encoder);
-                        if (peeling) encoder.texture("nearer", nearer, nearest_);
-                        for (std::size_t i = 0; i < solids.size(); ++i)
-                          draws.record(encoder, pipelines[i], *solids[i],
-                                       front ? gpu::Cull::back : gpu::Cull::front);
-                      }});
-  }
+gpu::Pass Interior::pass(Draws& draws, const std::vector<const needs::Draw*>& solids, int part,
+                         const std::function<void(gpu::Encoder&)>& begin) const {
+  const bool front = part % 2 == 0, peeling = part > 1;
+  const DrawPass pass{.label = peeling ? "interior behind" : "interior",
+                      .fragment = "interior.frag",
+                      .colors = {texel_format},
+                      .constants = {gpu::constant(peels, peeling)}};
+  std::vector<gpu::PipelineRef> pipelines;
+  for (const needs::Draw* solid : solids)
+    pipelines.push_back(draws.pipeline(pass, *solid));
+  std::vector<gpu::View> reads = draws.sampled();
+  const gpu::View nearer{.texture = layers_, .layer = part - 2};
+  if (peeling) reads.push_back(nearer);
+  return {.label = labels[part],
+          .colors = {{.view = {.texture = layers_, .layer = part},
+                      .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}}},
+          .depth = gpu::DepthTarget{.view = gpu::whole(depth_), .clear = 0.0f},
+          .reads = reads,
+          .record = [=, this, &draws](gpu::Encoder& encoder) {
+            begin(encoder);
+            if (peeling) encoder.texture("nearer", nearer, nearest_);
+            for (std::size_t i = 0; i < solids.size(); ++i)
+              draws.record(encoder, pipelines[i], *solids[i],
+                           front ? gpu::Cull::back : gpu::Cull::front);
+          }};
 }
 
 void Interior::bind(gpu::Encoder& encoder) const {

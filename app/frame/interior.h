@@ -16,11 +16,10 @@ public:
   // Room for `pairs` (1 or 2) pairs of a front and a back face per pixel: 32 bytes per pixel and pair.
   Interior(gpu::Device& device, int width, int height, int pairs);
 
-  // Adds the passes that draw the faces of `solids`, which must not hide each other on the screen:
-  // nearest front, nearest back, and with `pairs` 2 the next of each. `begin` binds what all draws of
-  // the frame share.
-  void add_passes(std::vector<gpu::Pass>& passes, Draws& draws, std::vector<const Draw*> solids,
-                  int pairs, const std::function<void(gpu::Encoder&)>& begin);
+  // Draws one face of `solids`, which must not hide each other on the screen: part 0 the nearest front, 1 the nearest back,
+  // 2 and 3 the next of each. `begin` binds what all draws of the frame share.
+  gpu::Pass pass(Draws& draws, const std::vector<const needs::Draw*>& solids, int part,
+                 const std::function<void(gpu::Encoder&)>& begin) const;
 
   // Binds the layers, as `interior`.
   void bind(gpu::Encoder& encoder) const;

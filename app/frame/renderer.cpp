@@ -3,76 +3,65 @@
 #include "environment/stack.h"
 #include "frame/camera.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 namespace gg::frame {
 namespace {
 
-// Scene colour keeps radiance beyond half-float range (a sun through a hole in the clouds is above
-// 100,000).
 constexpr gpu::Format color_format = gpu::Format::rgba32f;
 constexpr gpu::Format depth_format = gpu::Format::depth32f;
 
-// Glass behind glass behind glass...: each layer takes a pyramid of its own. Past so many, surfaces
-// share the last one: they hide each other but do not show each other.
-constexpr std::size_t most_layers = 8;
+// Constants of the stages that belong to a pass, not to a material.
+constexpr std::uint32_t looks_around = 41, most_bounces = 42;
 
-// Front and back faces that the search for a ray's exit sees behind each other.
-constexpr int interior_pairs = 2;
-
-// Whether a thing's reflection shows what stands about it: metals, and what is glossy. A rough
-// dielectric reflects 4 % of a blur of half the world: its error without is below that.
-bool reflects_company(const Draw& draw) {
-  const scene::Material& m = *draw.material;
-  if (m.unlit) return false;
-  return m.conductor || m.metallic > 0.0f || scene::microfacet_alpha(m) < 0.25f;
+needs::View view_of(const FrameDesc& desc) {
+  needs::View view{.camera = desc.camera,
+                   .width = desc.width,
+                   .height = desc.height,
+                   .samples = desc.samples,
+                   .method = desc.method,
+                   .correlated_smith = desc.correlated_smith,
+                   .multiple_scattering = desc.multiple_scattering};
+  if (const environment::Stack* stack = desc.environment.stack)
+    view.environment =
+        bytes(stack->even->desc) + bytes(stack->odd->desc) + bytes(stack->irradiance->desc);
+  return view;
 }
 
-// The search for the exit follows rays in layers of the solid's faces. What bends nothing needs to
-// know how thick it is if it absorbs; peers' method takes the material's word for it.
-bool has_interior(const Draw& draw) {
-  const scene::Material& m = *draw.material;
-  return draw.role == Role::refractive && m.thickness > 0.0f;
+tables::DeviceTables upload_tables(gpu::Device& device, const needs::Needs& needs) {
+  std::vector<tables::Model> reflecting, transmitting;
+  int reflection_taps = 1, interface_taps = 1;
+  for (const needs::Table& table : needs.tables) {
+    if (table.kind == needs::TableKind::reflection_lobes) {
+      reflecting.push_back(table.model);
+      reflection_taps = table.taps;
+    }
+    if (table.kind == needs::TableKind::interface_lobes) {
+      transmitting.push_back(table.model);
+      interface_taps = table.taps;
+    }
+  }
+  tables::DeviceTables tables = tables::upload(device, reflecting, reflection_taps);
+  tables::upload_interfaces(device, tables, transmitting, interface_taps);
+  return tables;
 }
 
 } // namespace
 
 Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDesc& desc)
-    : device_(device), desc_(desc), uploaded_(device, scene), tables_(wanted_tables()),
-      draws_(device, uploaded_, tables_, features(), desc.camera),
+    : device_(device), desc_(desc), needs_(needs::needs_of(scene, view_of(desc))),
+      uploaded_(device, needs_), tables_(upload_tables(device, needs_)),
+      draws_(device, uploaded_, tables_),
       nearest_(device.create(
           gpu::SamplerDesc{.magnify = gpu::Filter::nearest, .minify = gpu::Filter::nearest})) {
   make_targets();
-  make_layers();
   make_frame_blocks();
+  make_records();
   make_passes();
 }
 
 Renderer::~Renderer() = default;
-
-tables::DeviceTables Renderer::wanted_tables() const {
-  std::vector<tables::Model> wanted, transmitting;
-  for (const scene::Material& material : uploaded_.scene().materials) {
-    if (material.unlit) continue;
-    if (desc_.environment.stack) wanted.push_back(model_of(material, desc_.correlated_smith));
-    if (is_refractive(material) && material.ior != 1.0f && taps_of(desc_.method) > 0)
-      transmitting.push_back(model_of(material, desc_.correlated_smith));
-  }
-  tables::DeviceTables tables = tables::upload(device_, wanted);
-  // What is composed of two interfaces needs two taps of each at most (refraction/composition_fetch.glsl).
-  tables::upload_interfaces(device_, tables, transmitting, std::min(taps_of(desc_.method), 2));
-  return tables;
-}
-
-FrameFeatures Renderer::features() const {
-  return {.method = desc_.method,
-          .correlated_smith = desc_.correlated_smith,
-          .multiple_scattering = desc_.multiple_scattering,
-          .environment = desc_.environment.stack != nullptr,
-          .lights = !uploaded_.scene().lights.empty()};
-}
 
 void Renderer::make_targets() {
   const auto target = [&](const char* label, gpu::Format format, gpu::Use use) {
@@ -84,13 +73,18 @@ void Renderer::make_targets() {
   };
   color_ = target("scene color", color_format, gpu::Use::sampled | gpu::Use::read_back);
   depth_ = target("scene depth", depth_format, gpu::Use::sampled);
-  if (desc_.samples > 1) average_ = target("average", color_format, gpu::Use::read_back);
+  if (needs_.target("average")) average_ = target("average", color_format, gpu::Use::read_back);
+  if (const needs::Target* pyramid = needs_.target("screen pyramid"))
+    backdrop_.emplace(device_, desc_.width, desc_.height, pyramid->levels,
+                      needs_.target("backdrop depth") != nullptr);
+  if (const needs::Target* interior = needs_.target("interior"))
+    interior_.emplace(device_, desc_.width, desc_.height, interior->layers / 2);
 }
 
 void Renderer::make_frame_blocks() {
   const scene::Camera& camera = desc_.camera;
   const double aspect = static_cast<double>(desc_.width) / desc_.height;
-  const glm::dmat4 clip_from_world = clip_from_view(camera, aspect) * view_from_world(camera);
+  const glm::dmat4 clip_from_world = needs::clip_from_world(needs_.view);
   std::vector<FrameData> frames;
   for (int i = 0; i < desc_.samples; ++i) {
     const glm::dvec2 at = sample_position(i, desc_.samples);
@@ -107,9 +101,9 @@ void Renderer::make_frame_blocks() {
     f.picture = {desc_.width, desc_.height,
                  0.5 * clip_from_view(camera, aspect)[1][1] * desc_.height,
                  backdrop_ ? backdrop_->last_level() : 0};
-    f.boundsLow = vec4(uploaded_.scene().bounds.low, 0.0f);
-    f.boundsHigh = vec4(uploaded_.scene().bounds.high, 0.0f);
-    f.counts = {static_cast<int>(uploaded_.scene().lights.size()), 0, 0, 0};
+    f.boundsLow = vec4(needs_.bounds.low, 0.0f);
+    f.boundsHigh = vec4(needs_.bounds.high, 0.0f);
+    f.counts = {static_cast<int>(needs_.scene->lights.size()), 0, 0, 0};
     frames.push_back(f);
   }
   frames_ = upload_uniforms(device_, "frame", frames);
@@ -122,11 +116,6 @@ void Renderer::bind_environment(gpu::Encoder& encoder) const {
   encoder.texture("irradianceCube", gpu::whole(stack.irradiance), stack.sampler);
 }
 
-void Renderer::record_sky(gpu::Encoder& encoder) const {
-  encoder.use(sky_);
-  encoder.draw(3);
-}
-
 std::vector<gpu::View> Renderer::sampled() const {
   std::vector<gpu::View> views = draws_.sampled();
   if (const environment::Stack* stack = desc_.environment.stack)
@@ -135,66 +124,61 @@ std::vector<gpu::View> Renderer::sampled() const {
   return views;
 }
 
-Renderer::Recorded Renderer::recorded(const DrawPass& pass, const LayerDraw& draw) {
-  const gpu::Cull cull = draw.faces == Faces::front  ? gpu::Cull::back
-                         : draw.faces == Faces::back ? gpu::Cull::front
-                         : draw.draw->both_sides     ? gpu::Cull::none
-                                                     : gpu::Cull::back;
+Renderer::Recorded Renderer::recorded(const DrawPass& pass, const needs::LayerDraw& draw) {
+  const gpu::Cull cull = draw.faces == needs::Faces::front  ? gpu::Cull::back
+                         : draw.faces == needs::Faces::back ? gpu::Cull::front
+                         : draw.draw->both_sides            ? gpu::Cull::none
+                                                            : gpu::Cull::back;
   return {draw.draw, draws_.pipeline(pass, *draw.draw), cull};
 }
 
-void Renderer::make_layers() {
-  const bool company =
-      desc_.environment.stack && draws_.all().size() > 1 && desc_.method != Method::standard;
+void Renderer::make_records() {
   const DrawPass opaque{.label = "opaque", .fragment = "opaque.frag", .colors = {color_format}};
   const DrawPass blended{.label = "blended",
                          .fragment = "opaque.frag",
                          .colors = {color_format},
                          .depth_write = false,
                          .blend = gpu::Blend::over};
-  const DrawPass refractive{
-      .label = "refractive",
-      .fragment = "refractive.frag",
-      .colors = {color_format},
-      .blend = gpu::Blend::over,
-      .constants = {gpu::constant(40, interior_pairs), gpu::constant(41, company)}};
+  const DrawPass refractive{.label = "refractive",
+                            .fragment = "refractive.frag",
+                            .colors = {color_format},
+                            .blend = gpu::Blend::over,
+                            .constants = {gpu::constant(looks_around, needs_.company),
+                                          gpu::constant(most_bounces, needs::most_bounces)}};
   // Once more over the opaque picture, which shows what there is to reflect.
   const DrawPass reflective{.label = "reflective",
                             .fragment = "opaque.frag",
                             .colors = {color_format},
                             .depth_write = false,
-                            .constants = {gpu::constant(41, true)}};
-  for (const Draw* draw : draws_.of(Role::opaque)) {
-    opaque_.push_back(recorded(opaque, {draw, Faces::as_material}));
-    if (company && reflects_company(*draw))
-      reflective_.push_back(recorded(reflective, {draw, Faces::as_material}));
+                            .constants = {gpu::constant(looks_around, true)}};
+  for (const needs::Draw* draw : needs_.opaque)
+    opaque_.push_back(recorded(opaque, {draw, needs::Faces::as_material}));
+  for (const needs::Draw* draw : needs_.reflective)
+    reflective_.push_back(recorded(reflective, {draw, needs::Faces::as_material}));
+  for (const needs::LayerDraw& draw : needs_.over_opaque)
+    over_opaque_.push_back(recorded(blended, draw));
+  for (const needs::Layer& layer : needs_.layers) {
+    Records& records = layers_.emplace_back();
+    for (const needs::LayerDraw& draw : layer.refractive)
+      records.push_back(recorded(refractive, draw));
+    for (const needs::LayerDraw& draw : layer.blended)
+      records.push_back(recorded(blended, draw));
   }
-  if (!reflective_.empty()) backdrop_.emplace(device_, desc_.width, desc_.height);
-
-  const double aspect = static_cast<double>(desc_.width) / desc_.height;
-  const glm::dmat4 clip_from_world =
-      clip_from_view(desc_.camera, aspect) * view_from_world(desc_.camera);
-  for (const Layer& layer : layers_of(draws_.all(), clip_from_world, most_layers)) {
-    if (!layer.refractive.empty() && !backdrop_)
-      backdrop_.emplace(device_, desc_.width, desc_.height);
-    // What lies over opaque surfaces alone needs no pass of its own.
-    if (layers_.empty() && layer.refractive.empty()) {
-      for (const LayerDraw& draw : layer.blended)
-        over_opaque_.push_back(recorded(blended, draw));
-      continue;
-    }
-    GlassLayer& made = layers_.emplace_back();
-    made.refracts = !layer.refractive.empty();
-    made.foreground = layer.foreground;
-    for (const LayerDraw& draw : layer.refractive)
-      if (has_interior(*draw.draw)) made.solids.push_back(draw.draw);
-    if (!made.solids.empty() && !interior_)
-      interior_.emplace(device_, desc_.width, desc_.height, interior_pairs);
-    for (const LayerDraw& draw : layer.refractive)
-      made.draws.push_back(recorded(refractive, draw));
-    for (const LayerDraw& draw : layer.blended)
-      made.draws.push_back(recorded(blended, draw));
-  }
+  if (needs_.sky)
+    sky_ = device_.create(gpu::PipelineDesc{.label = "sky",
+                                            .vertex = "fullscreen.vert",
+                                            .fragment = "sky.frag",
+                                            .colors = {color_format},
+                                            .depth = depth_format,
+                                            .depth_write = false});
+  if (average_)
+    accumulate_ = device_.create(
+        gpu::PipelineDesc{.label = "accumulate",
+                          .vertex = "fullscreen.vert",
+                          .fragment = "accumulate.frag",
+                          .constants = {gpu::constant(0, 1.0f / static_cast<float>(desc_.samples))},
+                          .colors = {color_format},
+                          .blend = gpu::Blend::add});
 }
 
 void Renderer::begin(gpu::Encoder& encoder, int sample) const {
@@ -204,6 +188,11 @@ void Renderer::begin(gpu::Encoder& encoder, int sample) const {
   if (desc_.environment.stack) bind_environment(encoder);
 }
 
+void Renderer::record(gpu::Encoder& encoder, const Records& records) const {
+  for (const auto& [draw, pipeline, cull] : records)
+    draws_.record(encoder, pipeline, *draw, cull);
+}
+
 gpu::Pass Renderer::opaque_pass(int sample) const {
   return {.label = "opaque",
           .colors = {{.view = gpu::whole(color_), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}}},
@@ -211,11 +200,12 @@ gpu::Pass Renderer::opaque_pass(int sample) const {
           .reads = sampled(),
           .record = [this, sample](gpu::Encoder& encoder) {
             begin(encoder, sample);
-            for (const auto& [draw, pipeline, cull] : opaque_)
-              draws_.record(encoder, pipeline, *draw, cull);
-            if (sky_) record_sky(encoder);
-            for (const auto& [draw, pipeline, cull] : over_opaque_)
-              draws_.record(encoder, pipeline, *draw, cull);
+            record(encoder, opaque_);
+            if (sky_) {
+              encoder.use(sky_);
+              encoder.draw(3);
+            }
+            record(encoder, over_opaque_);
           }};
 }
 
@@ -227,80 +217,83 @@ gpu::Pass Renderer::reflective_pass(int sample) const {
                  .record = [this, sample](gpu::Encoder& encoder) {
                    begin(encoder, sample);
                    backdrop_->bind(encoder);
-                   for (const auto& [draw, pipeline, cull] : reflective_)
-                     draws_.record(encoder, pipeline, *draw, cull);
+                   record(encoder, reflective_);
                  }};
   for (const gpu::View& view : backdrop_->sampled())
     pass.reads.push_back(view);
   return pass;
 }
 
-gpu::Pass Renderer::layer_pass(int sample, std::size_t i) const {
-  const GlassLayer& layer = layers_[i];
-  gpu::Pass pass{.label = layer.refracts ? "refractive" : "blended",
+gpu::Pass Renderer::interior_pass(const needs::Pass& pass, int sample) {
+  std::vector<const needs::Draw*> solids;
+  for (const needs::Draw* solid : needs_.layers[pass.layer].solids)
+    if (pass.part < 2 * value_of(solid->key, needs::Feature::interior_pairs))
+      solids.push_back(solid);
+  return interior_->pass(draws_, solids, pass.part,
+                         [this, sample](gpu::Encoder& encoder) { begin(encoder, sample); });
+}
+
+gpu::Pass Renderer::layer_pass(const needs::Pass& of, int sample) const {
+  const needs::Layer& layer = needs_.layers[of.layer];
+  gpu::Pass pass{.label = of.label,
                  .colors = {{.view = gpu::whole(color_)}},
                  .depth = gpu::DepthTarget{.view = gpu::whole(depth_)},
                  .reads = sampled()};
-  if (layer.refracts)
+  if (layer.shows_behind())
     for (const gpu::View& view : backdrop_->sampled())
       pass.reads.push_back(view);
   if (!layer.solids.empty()) pass.reads.push_back(interior_->sampled());
-  pass.record = [this, sample, i](gpu::Encoder& encoder) {
+  pass.record = [this, sample, &layer, &records = layers_[of.layer]](gpu::Encoder& encoder) {
     begin(encoder, sample);
-    if (layers_[i].refracts) {
-      backdrop_->bind(encoder);
-    }
-    if (!layers_[i].solids.empty()) interior_->bind(encoder);
-    for (const auto& [draw, pipeline, cull] : layers_[i].draws)
-      draws_.record(encoder, pipeline, *draw, cull);
+    if (layer.shows_behind()) backdrop_->bind(encoder);
+    if (!layer.solids.empty()) interior_->bind(encoder);
+    record(encoder, records);
   };
   return pass;
 }
 
+gpu::Pass Renderer::accumulate_pass(int sample) const {
+  gpu::ColorTarget average{.view = gpu::whole(average_)};
+  if (sample == 0) average.clear = std::array{0.0f, 0.0f, 0.0f, 0.0f};
+  return {.label = "accumulate",
+          .colors = {average},
+          .reads = {gpu::whole(color_)},
+          .record = [this](gpu::Encoder& encoder) {
+            encoder.use(accumulate_);
+            encoder.texture("sampleColor", gpu::whole(color_), nearest_);
+            encoder.draw(3);
+          }};
+}
+
+gpu::Pass Renderer::made(const needs::Pass& pass, int sample) {
+  switch (pass.kind) {
+  case needs::PassKind::opaque:
+    return opaque_pass(sample);
+  case needs::PassKind::backdrop:
+    return backdrop_->copy_pass(color_, depth_, pass.takes_depth);
+  case needs::PassKind::foreground:
+    return backdrop_->foreground_pass(
+        depth_, draws_, needs_.layers[pass.layer].foreground,
+        [this, sample](gpu::Encoder& encoder) { begin(encoder, sample); });
+  case needs::PassKind::pyramid:
+    return backdrop_->level_pass(pass.part);
+  case needs::PassKind::reflective:
+    return reflective_pass(sample);
+  case needs::PassKind::interior:
+    return interior_pass(pass, sample);
+  case needs::PassKind::layer:
+    return layer_pass(pass, sample);
+  case needs::PassKind::accumulate:
+    return accumulate_pass(sample);
+  }
+  return {};
+}
+
 void Renderer::make_passes() {
-  if (desc_.environment.stack)
-    sky_ = device_.create(gpu::PipelineDesc{.label = "sky",
-                                            .vertex = "fullscreen.vert",
-                                            .fragment = "sky.frag",
-                                            .colors = {color_format},
-                                            .depth = depth_format,
-                                            .depth_write = false});
-  if (desc_.samples > 1)
-    accumulate_ = device_.create(
-        gpu::PipelineDesc{.label = "accumulate",
-                          .vertex = "fullscreen.vert",
-                          .fragment = "accumulate.frag",
-                          .constants = {gpu::constant(0, 1.0f / static_cast<float>(desc_.samples))},
-                          .colors = {color_format},
-                          .blend = gpu::Blend::add});
   for (int i = 0; i < desc_.samples; ++i) {
     std::vector<gpu::Pass>& passes = passes_.emplace_back();
-    passes.push_back(opaque_pass(i));
-    const auto bind = [this, i](gpu::Encoder& encoder) { begin(encoder, i); };
-    if (!reflective_.empty()) {
-      backdrop_->add_passes(passes, color_, depth_, true, draws_, {}, bind);
-      passes.push_back(reflective_pass(i));
-    }
-    for (std::size_t l = 0; l < layers_.size(); ++l) {
-      if (layers_[l].refracts)
-        backdrop_->add_passes(passes, color_, depth_, l == 0 && reflective_.empty(), draws_,
-                              layers_[l].foreground, bind);
-      if (!layers_[l].solids.empty())
-        interior_->add_passes(passes, draws_, layers_[l].solids, interior_pairs, bind);
-      passes.push_back(layer_pass(i, l));
-    }
-    if (desc_.samples > 1) {
-      gpu::ColorTarget average{.view = gpu::whole(average_)};
-      if (i == 0) average.clear = std::array{0.0f, 0.0f, 0.0f, 0.0f};
-      passes.push_back({.label = "accumulate",
-                        .colors = {average},
-                        .reads = {gpu::whole(color_)},
-                        .record = [this](gpu::Encoder& encoder) {
-                          encoder.use(accumulate_);
-                          encoder.texture("sampleColor", gpu::whole(color_), nearest_);
-                          encoder.draw(3);
-                        }});
-    }
+    for (const needs::Pass& pass : needs_.passes)
+      passes.push_back(made(pass, i));
   }
 }
 

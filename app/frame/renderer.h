@@ -1,18 +1,16 @@
-// A frame of one scene: which passes it takes, and running them.
+// A frame of one scene: carries out what its needs say, pass by pass.
 #pragma once
 
 #include "frame/backdrop.h"
 #include "frame/draws.h"
-#include "frame/features.h"
 #include "frame/interior.h"
-#include "frame/layers.h"
 #include "frame/uploaded_scene.h"
 #include "gpu/device.h"
 #include "image/image.h"
+#include "needs/needs.h"
 #include "tables/device_tables.h"
 
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +19,8 @@ namespace gg::environment {
 struct Stack;
 }
 namespace gg::frame {
+
+using needs::Method;
 
 // The light from all around. `stack` null: there is none.
 struct EnvironmentView {
@@ -45,6 +45,8 @@ public:
   // renderer.
   Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDesc& desc);
   ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
 
   // Draws the frame. With `times`, adds what each pass took, summed over the samples, under its
   // label.
@@ -55,38 +57,36 @@ public:
   // The frame as drawn: linear radiance, RGBA (a = coverage by meshes or environment).
   image::Image read();
 
+  const needs::Needs& needs() const { return needs_; }
   std::vector<std::string> pass_labels() const; // in the order of one sample
-  std::size_t triangle_count() const { return draws_.triangle_count(); } // per sample
+  std::size_t triangle_count() const { return needs_.triangle_count(); } // per sample
 
 private:
   struct Recorded {
-    const Draw* draw;
+    const needs::Draw* draw;
     gpu::PipelineRef pipeline;
     gpu::Cull cull;
   };
-  struct GlassLayer {
-    std::vector<Recorded> draws;         // in the order in which they are drawn
-    std::vector<const Draw*> solids;     // whose insides rays are followed through
-    std::vector<const Draw*> foreground; // cut out of the picture behind
-    bool refracts = false;               // needs the picture of what is behind it
-  };
-  tables::DeviceTables wanted_tables() const; // of the models that the scene's materials use
-  FrameFeatures features() const;
+  using Records = std::vector<Recorded>;
   void make_targets();
   void make_frame_blocks();
+  void make_records();
   void make_passes();
-  void make_layers();
-  Recorded recorded(const DrawPass& pass, const LayerDraw& draw);
+  Recorded recorded(const DrawPass& pass, const needs::LayerDraw& draw);
   void begin(gpu::Encoder& encoder, int sample) const; // binds what every draw reads
+  void record(gpu::Encoder& encoder, const Records& records) const;
+  gpu::Pass made(const needs::Pass& pass, int sample);
   gpu::Pass opaque_pass(int sample) const;
   gpu::Pass reflective_pass(int sample) const;
-  gpu::Pass layer_pass(int sample, std::size_t layer) const;
+  gpu::Pass interior_pass(const needs::Pass& pass, int sample);
+  gpu::Pass layer_pass(const needs::Pass& pass, int sample) const;
+  gpu::Pass accumulate_pass(int sample) const;
   std::vector<gpu::View> sampled() const; // every texture that the draws read
   void bind_environment(gpu::Encoder& encoder) const;
-  void record_sky(gpu::Encoder& encoder) const;
 
   gpu::Device& device_;
   FrameDesc desc_;
+  needs::Needs needs_;
   UploadedScene uploaded_;
   tables::DeviceTables tables_;
   Draws draws_;
@@ -94,10 +94,8 @@ private:
   UniformArray frames_; // one block per sample
   gpu::SamplerRef nearest_;
   gpu::PipelineRef sky_, accumulate_;
-  std::vector<Recorded> opaque_;
-  std::vector<Recorded> reflective_;  // opaque draws whose reflections show the picture
-  std::vector<Recorded> over_opaque_; // blended surfaces with no glass behind them
-  std::vector<GlassLayer> layers_;    // the farthest first
+  Records opaque_, over_opaque_, reflective_;
+  std::vector<Records> layers_; // in the order in which they are drawn
   std::optional<Backdrop> backdrop_;
   std::optional<Interior> interior_;
   std::vector<std::vector<gpu::Pass>> passes_; // by sample

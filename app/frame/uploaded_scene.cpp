@@ -9,7 +9,6 @@
 namespace gg::frame {
 namespace {
 
-using scene::Index;
 using scene::Material;
 using scene::Slot;
 
@@ -112,19 +111,15 @@ gpu::SamplerDesc sampler_of(const scene::Sampler& sampler) {
           .max_level = sampler.mipmaps ? 1000.0f : 0.0f};
 }
 
-int level_count(int width, int height) {
-  return std::bit_width(static_cast<unsigned>(std::max(width, height)));
-}
-
 gpu::TextureRef upload_image(gpu::Device& device, const std::string& label,
                              const image::Image8& image, bool srgb, bool mipmaps) {
-  const gpu::TextureRef texture =
-      device.create(gpu::TextureDesc{.label = label,
-                                     .format = srgb ? gpu::Format::rgba8_srgb : gpu::Format::rgba8,
-                                     .width = image.width,
-                                     .height = image.height,
-                                     .levels = mipmaps ? level_count(image.width, image.height) : 1,
-                                     .use = gpu::Use::sampled});
+  const gpu::TextureRef texture = device.create(
+      gpu::TextureDesc{.label = label,
+                       .format = srgb ? gpu::Format::rgba8_srgb : gpu::Format::rgba8,
+                       .width = image.width,
+                       .height = image.height,
+                       .levels = mipmaps ? needs::mip_levels(image.width, image.height) : 1,
+                       .use = gpu::Use::sampled});
   device.upload(texture, 0, 0, std::as_bytes(std::span(image.rgba)));
   if (texture->desc.levels > 1) device.generate_mipmaps(texture);
   return texture;
@@ -132,77 +127,70 @@ gpu::TextureRef upload_image(gpu::Device& device, const std::string& label,
 
 } // namespace
 
-UploadedScene::UploadedScene(gpu::Device& device, const scene::Scene& scene) : scene_(scene) {
-  for (std::size_t i = 0; i < scene.streams.size(); ++i)
-    streams_.push_back(
-        device.create(gpu::BufferDesc{"stream " + std::to_string(i),
-                                      bytes(scene.streams[i].values).size(), gpu::Use::vertices},
-                      bytes(scene.streams[i].values)));
-  for (std::size_t i = 0; i < scene.indices.size(); ++i)
-    indices_.push_back(
-        device.create(gpu::BufferDesc{"indices " + std::to_string(i),
-                                      bytes(scene.indices[i]).size(), gpu::Use::indices},
-                      bytes(scene.indices[i])));
+UploadedScene::UploadedScene(gpu::Device& device, const needs::Needs& needs) : needs_(needs) {
+  upload_geometry(device);
+  upload_blocks(device);
+  upload_textures(device);
+}
 
+void UploadedScene::upload_geometry(gpu::Device& device) {
+  const auto upload = [&](const char* name, scene::Index i, std::span<const std::byte> values,
+                          gpu::Use use) {
+    return device.create(gpu::BufferDesc{name + std::to_string(i), values.size(), use}, values);
+  };
+  for (const scene::Index i : needs_.streams)
+    streams_[i] =
+        upload("stream ", i, bytes(needs_.scene->streams[static_cast<std::size_t>(i)].values),
+               gpu::Use::vertices);
+  for (const scene::Index i : needs_.index_lists)
+    indices_[i] = upload("indices ", i, bytes(needs_.scene->indices[static_cast<std::size_t>(i)]),
+                         gpu::Use::indices);
+}
+
+void UploadedScene::upload_blocks(gpu::Device& device) {
   std::vector<MaterialData> materials;
-  for (const Material& m : scene.materials) {
-    materials.push_back(block_of(m));
+  for (const Material* m : needs_.draws.materials) {
+    materials.push_back(block_of(*m));
     materials.back().transmission.w = static_cast<float>(materials.size() - 1);
   }
   materials_ = upload_uniforms(device, "materials", materials);
   std::vector<InstanceData> instances;
-  for (const scene::Instance& i : scene.instances)
-    instances.push_back(block_of(i, instances.size()));
+  for (const scene::Instance* i : needs_.draws.instances)
+    instances.push_back(block_of(*i, instances.size()));
   instances_ = upload_uniforms(device, "instances", instances);
 
   std::vector<LightData> lights;
-  for (const scene::Light& light : scene.lights)
+  for (const scene::Light& light : needs_.scene->lights)
     lights.push_back(block_of(light));
   if (lights.empty()) lights.emplace_back();
   lights_ = device.create(gpu::BufferDesc{"lights", bytes(lights).size(), gpu::Use::storage},
                           bytes(lights));
-
-  upload_textures(device);
 }
 
 void UploadedScene::upload_textures(gpu::Device& device) {
-  const image::Image8 one{.width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
-  white_ = {gpu::whole(upload_image(device, "white", one, false, false)),
-            device.create(gpu::SamplerDesc{})};
-
-  for (const scene::Texture& texture : scene_.textures)
-    samplers_.push_back(device.create(sampler_of(texture.sampler)));
-  images_.resize(scene_.images.size());
-  const auto need = [&](const Slot& slot, bool srgb) {
-    if (!slot) return;
-    const Index i = scene_.textures[static_cast<std::size_t>(slot.texture)].image;
-    if (i == scene::none || !scene_.images[static_cast<std::size_t>(i)]) return;
-    Image& image = images_[static_cast<std::size_t>(i)];
-    gpu::TextureRef& texture = srgb ? image.srgb : image.linear;
-    if (!texture)
-      texture = upload_image(device, "image " + std::to_string(i),
-                             *scene_.images[static_cast<std::size_t>(i)], srgb, true);
-  };
-  for (const Material& m : scene_.materials) {
-    need(m.base_color_map, true);
-    need(m.emissive_map, true);
-    need(m.specular_color_map, true);
-    need(m.metallic_roughness_map, false);
-    need(m.normal_map, false);
-    need(m.occlusion_map, false);
-    need(m.specular_map, false);
-    need(m.transmission_map, false);
-    need(m.thickness_map, false);
-  }
+  for (const needs::Image& image : needs_.images)
+    images_[{image.image, image.srgb}] = upload_image(
+        device, "image " + std::to_string(image.image),
+        *needs_.scene->images[static_cast<std::size_t>(image.image)], image.srgb, image.mipmaps);
+  for (const needs::Draw& draw : needs_.draws.all)
+    for (const needs::Map& map : draw.maps) {
+      const auto [at, is_new] = samplers_.try_emplace(map.texture);
+      if (is_new)
+        at->second = device.create(
+            sampler_of(needs_.scene->textures[static_cast<std::size_t>(map.texture)].sampler));
+    }
 }
 
-UploadedTexture UploadedScene::texture(Index texture, bool srgb) const {
-  const Index i = scene_.textures[static_cast<std::size_t>(texture)].image;
-  if (i == scene::none) return white_;
-  const Image& image = images_[static_cast<std::size_t>(i)];
-  const gpu::TextureRef& found = srgb ? image.srgb : image.linear;
-  if (!found) return white_;
-  return {gpu::whole(found), samplers_[static_cast<std::size_t>(texture)]};
+UploadedTexture UploadedScene::texture(const needs::Map& map) const {
+  const scene::Index image = needs_.scene->textures[static_cast<std::size_t>(map.texture)].image;
+  return {gpu::whole(images_.at({image, map.srgb})), samplers_.at(map.texture)};
+}
+
+std::vector<gpu::View> UploadedScene::sampled() const {
+  std::vector<gpu::View> views;
+  for (const auto& [of, texture] : images_)
+    views.push_back(gpu::whole(texture));
+  return views;
 }
 
 } // namespace gg::frame

@@ -1,11 +1,14 @@
-// A scene on the device: every stream, index list and image once, whoever shares it.
+// A scene on the device: every stream, index list and image that its frame reads, once, whoever shares it.
 #pragma once
 
 #include "frame/blocks.h"
 #include "frame/uniform_array.h"
 #include "gpu/device.h"
+#include "needs/needs.h"
 #include "scene/scene.h"
 
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace gg::frame {
@@ -18,34 +21,30 @@ struct UploadedTexture {
 
 class UploadedScene {
 public:
-  UploadedScene(gpu::Device& device, const scene::Scene& scene);
+  // Both must outlive this.
+  UploadedScene(gpu::Device& device, const needs::Needs& needs);
 
-  const scene::Scene& scene() const { return scene_; }
-  const gpu::BufferRef& stream(scene::Index i) const {
-    return streams_[static_cast<std::size_t>(i)];
-  }
-  const gpu::BufferRef& indices(scene::Index i) const {
-    return indices_[static_cast<std::size_t>(i)];
-  }
+  const needs::Needs& needs() const { return needs_; }
+  // Of what the needs list.
+  const gpu::BufferRef& stream(scene::Index i) const { return streams_.at(i); }
+  const gpu::BufferRef& indices(scene::Index i) const { return indices_.at(i); }
+  UploadedTexture texture(const needs::Map& map) const;
+  std::vector<gpu::View> sampled() const; // all images
   const UniformArray& materials() const { return materials_; }
   const UniformArray& instances() const { return instances_; }
   const gpu::BufferRef& lights() const { return lights_; } // one unused light if there are none
-  UploadedTexture texture(scene::Index texture, bool srgb) const;
-  const UploadedTexture& white() const { return white_; } // for maps that a material lacks
 
 private:
+  void upload_geometry(gpu::Device& device);
+  void upload_blocks(gpu::Device& device);
   void upload_textures(gpu::Device& device);
 
-  const scene::Scene& scene_;
-  std::vector<gpu::BufferRef> streams_, indices_;
+  const needs::Needs& needs_;
+  std::map<scene::Index, gpu::BufferRef> streams_, indices_;
   UniformArray materials_, instances_;
   gpu::BufferRef lights_;
-  struct Image {
-    gpu::TextureRef srgb, linear; // what materials read it as; null if nothing does
-  };
-  std::vector<Image> images_;
-  std::vector<gpu::SamplerRef> samplers_; // by glTF texture
-  UploadedTexture white_;
+  std::map<std::pair<scene::Index, bool>, gpu::TextureRef> images_; // by index, and whether sRGB
+  std::map<scene::Index, gpu::SamplerRef> samplers_;                // by glTF texture
 };
 
 } // namespace gg::frame

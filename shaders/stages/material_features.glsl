@@ -1,5 +1,5 @@
 // material_features.glsl: what a material uses, as specialization constants, so that a draw pays for nothing else.
-// Numbers   the same as in app/frame/features.h.
+// Numbers   the same as in app/needs/features.h.
 // Maps      the constant of a map is 0 where there is none, else 1 + the set of texture coordinates that it reads.
 
 layout(constant_id = 0) const int baseColorMapUv = 0;
@@ -29,3 +29,4 @@ layout(constant_id = 23) const bool indexIsOne = false; // bends and reflects no
 layout(constant_id = 24) const bool attenuates = false; // absorbs along the way inside
 layout(constant_id = 41) const bool looksAround = false; // reflections show the picture: there is more than one thing
 layout(constant_id = 25) const bool holdsOpaque = false; // something opaque reaches into the box around the solid
+layout(constant_id = 26) const int interiorPairs = 0; // of front and back faces that the inside is followed through

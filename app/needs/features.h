@@ -2,13 +2,13 @@
 // shaders/stages/material_features.glsl.
 #pragma once
 
-#include "gpu/types.h"
 #include "scene/scene.h"
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
-namespace gg::frame {
+namespace gg::needs {
 
 // How light from the surroundings is looked up. Any number that is no name below is fis(N).
 enum class Method : int {
@@ -65,6 +65,7 @@ enum class Feature : std::uint32_t {
   index_one,
   attenuation,
   holds_opaque,
+  interior_pairs,
   count
 };
 enum class Shading { unlit, dielectric, metal, mixed, conductor };
@@ -73,21 +74,49 @@ enum class Transmission { none, thin, solid };
 // True for a material that light passes by refraction. Its alpha mode does not matter.
 bool is_refractive(const scene::Material& material);
 
+// True for glass of index 1 that neither tints, absorbs nor glows: it shows what is behind it, to the bit, so it need not
+// be drawn.
+bool is_invisible(const scene::Material& material, const scene::Primitive& primitive);
+
 // One value per Feature: the key under which a pipeline is kept.
 using FeatureKey = std::array<std::int32_t, static_cast<std::size_t>(Feature::count)>;
+constexpr int value_of(const FeatureKey& key, Feature feature) {
+  return key[static_cast<std::size_t>(feature)];
+}
+constexpr void set_value(FeatureKey& key, Feature feature, int value) {
+  key[static_cast<std::size_t>(feature)] = value;
+}
 
 // A shader reads at most this many sets of texture coordinates.
 inline constexpr int max_uv_sets = 4;
 
-// The sets that the material's maps read from this primitive, without repetition: element k feeds
-// the shader's k-th set. A map whose set the primitive lacks is left out, as glTF has no meaning
-// for it.
-std::vector<int> uv_sets_of(const scene::Material& material, const scene::Primitive& primitive);
+// A map of a material, under the name that shaders give it.
+struct MapKind {
+  const char* name;
+  scene::Slot scene::Material::*slot;
+  Feature feature;
+  bool srgb;
+};
+inline constexpr std::array<MapKind, 9> map_kinds = {{
+    {"baseColorMap", &scene::Material::base_color_map, Feature::base_color_map, true},
+    {"metallicRoughnessMap", &scene::Material::metallic_roughness_map,
+     Feature::metallic_roughness_map, false},
+    {"normalMap", &scene::Material::normal_map, Feature::normal_map, false},
+    {"occlusionMap", &scene::Material::occlusion_map, Feature::occlusion_map, false},
+    {"emissiveMap", &scene::Material::emissive_map, Feature::emissive_map, true},
+    {"specularMap", &scene::Material::specular_map, Feature::specular_map, false},
+    {"specularColorMap", &scene::Material::specular_color_map, Feature::specular_color_map, true},
+    {"transmissionMap", &scene::Material::transmission_map, Feature::transmission_map, false},
+    {"thicknessMap", &scene::Material::thickness_map, Feature::thickness_map, false},
+}};
 
-// The features of one primitive: only what its material and its streams make a difference with.
-FeatureKey features_of(const scene::Material& material, const scene::Primitive& primitive,
-                       const FrameFeatures& frame);
+struct Features {
+  FeatureKey key{};
+  std::vector<int> uv_sets; // element k feeds the shader's k-th set
+};
+// The features of one primitive: only what its material and its streams make a difference with. What depends on other
+// draws (holds_opaque, interior_pairs) is left at 0.
+Features features_of(const scene::Scene& scene, const scene::Material& material,
+                     const scene::Primitive& primitive, const FrameFeatures& frame);
 
-std::vector<gpu::Constant> constants_of(const FeatureKey& key);
-
-} // namespace gg::frame
+} // namespace gg::needs

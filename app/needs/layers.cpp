@@ -1,8 +1,8 @@
-#include "frame/layers.h"
+#include "needs/layers.h"
 
 #include <algorithm>
 
-namespace gg::frame {
+namespace gg::needs {
 namespace {
 
 // What must be in one layer.
@@ -28,7 +28,7 @@ std::vector<Item> items_of(const std::vector<Draw>& draws, const glm::dmat4& cli
   for (const Draw& draw : draws) {
     if (draw.role == Role::opaque || draw.bounds.empty()) continue;
     const ScreenBox box = screen_box(draw.bounds, clip_from_world);
-    const bool solid = draw.role == Role::refractive && draw.material->thickness > 0.0f;
+    const bool solid = draw.is_solid();
     if (solid) {
       const auto found = std::ranges::find_if(items, [&](const Item& item) {
         return same_solid(*item.draws.front().draw, draw) && !item.blended;
@@ -103,6 +103,12 @@ std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& c
     std::vector<LayerDraw>& list = items[i].blended ? layer.blended : layer.refractive;
     list.insert(list.end(), items[i].draws.begin(), items[i].draws.end());
     if (items[i].blended) continue;
+    for (const LayerDraw& part : items[i].draws) {
+      const int pairs = value_of(part.draw->key, Feature::interior_pairs);
+      if (pairs > 0) layer.solids.push_back(part.draw);
+      layer.interior_pairs = std::max(layer.interior_pairs, pairs);
+      layer.blurs = layer.blurs || !part.draw->is_straight();
+    }
     for (const Draw& draw : draws)
       if (draw.role == Role::opaque
           && stands_before(screen_box(draw.bounds, clip_from_world), items[i].box)
@@ -112,4 +118,4 @@ std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& c
   return layers;
 }
 
-} // namespace gg::frame
+} // namespace gg::needs

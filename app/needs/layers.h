@@ -1,13 +1,13 @@
 // The order of what light passes through: far to near, and together what does not overlap on the screen.
 #pragma once
 
-#include "frame/draws.h"
+#include "needs/draws.h"
 
 #include <glm/glm.hpp>
 
 #include <vector>
 
-namespace gg::frame {
+namespace gg::needs {
 
 // Which faces of a draw belong to a layer.
 enum class Faces { as_material, front, back };
@@ -22,6 +22,11 @@ struct Layer {
   std::vector<LayerDraw> refractive, blended;
   std::vector<const Draw*>
       foreground; // opaque draws that stand wholly in front of it and overlap it
+  std::vector<const Draw*>
+      solids;             // of the refractive draws, those whose inside rays are followed through
+  int interior_pairs = 0; // the most that one of them wants
+  bool shows_behind() const { return !refractive.empty(); } // what is behind it, as a picture
+  bool blurs = false; // and shifts it: needs that picture's pyramid and depth
 };
 
 // Refractive and blended draws by layer, the farthest first. The parts of a solid (one instance, one
@@ -40,4 +45,4 @@ struct ScreenBox {
 };
 ScreenBox screen_box(const scene::Bounds& bounds, const glm::dmat4& clip_from_world);
 
-} // namespace gg::frame
+} // namespace gg::needs

@@ -1,0 +1,69 @@
+// groundglass needs: what drawing a scene takes, without drawing it.
+#include "needs/needs.h"
+
+#include "commands/commands.h"
+#include "commands/options.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "environment/stack.h"
+#include "needs/words.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace gg::commands {
+namespace {
+
+struct Options {
+  SceneOptions scene;
+  MethodOptions method;
+  std::string json;
+};
+
+void print(const Options& o) {
+  if (!o.json.empty()) OutputFile probe(o.json);
+  if (o.method.samples < 1 || o.method.samples > 4096)
+    throw Error(ExitCode::usage, "--samples", "must be from 1 to 4096");
+  if (o.method.smith != "separable" && o.method.smith != "correlated")
+    throw Error(ExitCode::usage, "--smith", "'" + o.method.smith + "' is not known",
+                "Choose separable or correlated.");
+  const Size size = parse_size(o.scene.size);
+  const needs::Method method = parse_method(o.method.method);
+  const scene::Scene scene = load_scene(o.scene);
+  needs::View view{.camera = choose_camera(o.scene, scene, size),
+                   .width = size.width,
+                   .height = size.height,
+                   .samples = o.method.samples,
+                   .method = method,
+                   .correlated_smith = o.method.smith == "correlated",
+                   .multiple_scattering = o.method.multiscatter};
+  if (const auto map = load_environment(o.scene, scene))
+    view.environment = environment::bytes_of(*map);
+  const needs::Needs needs = needs::needs_of(scene, view);
+  fmt::print("{}: {}x{}, {} samples, {}\n{}", o.scene.scene, size.width, size.height,
+             o.method.samples, o.method.method, needs::text_of(needs));
+  if (o.json.empty()) return;
+  nlohmann::json report = needs::json_of(needs);
+  report["scene"] = o.scene.scene;
+  report["method"] = o.method.method;
+  OutputFile file(o.json);
+  file.write(report.dump(2) + "\n");
+  file.commit();
+}
+
+} // namespace
+
+void add_needs(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "needs", "Print what drawing a scene takes: passes, features, tables, targets, bytes");
+  add_options(*command, options->scene);
+  add_options(*command, options->method);
+  command->add_option("--json", options->json, "Write the same to this file");
+  command->callback([options] { print(*options); });
+}
+
+} // namespace gg::commands

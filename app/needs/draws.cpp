@@ -1,0 +1,181 @@
+#include "needs/draws.h"
+
+#include "frame/camera.h"
+#include "scene/solid_shape.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace gg::needs {
+namespace {
+
+// Attribute locations of stages/opaque.vert; each has a vertex binding of its own, as glTF's
+// streams are separate.
+constexpr int position_location = 0, normal_location = 1, tangent_location = 2, color_location = 3,
+              uv_location = 4;
+
+std::vector<VertexInput> inputs_of(const Features& features, const scene::Primitive& p) {
+  std::vector<VertexInput> inputs{{position_location, 3, p.positions},
+                                  {normal_location, 3, p.normals}};
+  if (value_of(features.key, Feature::normal_map) > 0)
+    inputs.push_back({tangent_location, 4, p.tangents});
+  if (value_of(features.key, Feature::vertex_color) > 0)
+    inputs.push_back({color_location, 4, p.colors});
+  int location = uv_location;
+  for (const int set : features.uv_sets)
+    inputs.push_back({location++, 2, p.uvs[static_cast<std::size_t>(set)]});
+  return inputs;
+}
+
+std::vector<Map> maps_of(const FeatureKey& key, const scene::Material& material) {
+  std::vector<Map> maps;
+  for (const MapKind& kind : map_kinds)
+    if (value_of(key, kind.feature) > 0)
+      maps.push_back({kind.name, (material.*kind.slot).texture, kind.srgb});
+  return maps;
+}
+
+glm::vec3 corner(const scene::Bounds& box, unsigned i) {
+  return {i & 1u ? box.high.x : box.low.x, i & 2u ? box.high.y : box.low.y,
+          i & 4u ? box.high.z : box.low.z};
+}
+
+scene::Bounds world_bounds(const scene::Bounds& bounds, const glm::mat4& world) {
+  scene::Bounds result;
+  if (bounds.empty()) return result;
+  for (unsigned i = 0; i < 8; ++i)
+    result.include(glm::vec3(world * glm::vec4(corner(bounds, i), 1.0f)));
+  return result;
+}
+
+Role role_of(const scene::Material& material) {
+  if (is_refractive(material)) return Role::refractive;
+  return material.alpha_mode == scene::AlphaMode::blend ? Role::blended : Role::opaque;
+}
+
+// Whether something opaque reaches into the box around a solid. What stands on the floor touches it:
+// a thousandth of the solid's size does not count.
+bool holds_opaque(const Draw& solid, const std::vector<Draw>& draws) {
+  const glm::vec3 least(1e-3f * solid.bounds.radius());
+  return std::ranges::any_of(draws, [&](const Draw& other) {
+    return other.role == Role::opaque
+           && glm::all(glm::greaterThan(other.bounds.high, solid.bounds.low + least))
+           && glm::all(glm::lessThan(other.bounds.low, solid.bounds.high - least));
+  });
+}
+
+// The shape of the solid that the draw is part of, which is worked out once per mesh and material.
+class Shapes {
+public:
+  explicit Shapes(const scene::Scene& scene) : scene_(scene) {}
+  const scene::SolidShape& of(const scene::Instance& instance, scene::Index material) {
+    const auto [at, is_new] = shapes_.try_emplace({instance.mesh, material});
+    if (!is_new) return at->second;
+    std::vector<const scene::Primitive*> parts;
+    for (const scene::Primitive& p :
+         scene_.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
+      if (p.material == material) parts.push_back(&p);
+    return at->second = scene::solid_shape(scene_, parts);
+  }
+
+private:
+  const scene::Scene& scene_;
+  std::map<std::pair<scene::Index, scene::Index>, scene::SolidShape> shapes_;
+};
+
+// Pairs of a front and a back face that the rays inside are followed through. Peers' method takes the material's word
+// for the way inside; what bends nothing needs it only where it absorbs, and then from its first front to its first back.
+int interior_pairs(const Draw& draw, const View& view, const scene::Instance& instance,
+                   Shapes& shapes) {
+  if (!draw.is_solid() || view.method == Method::standard) return 0;
+  if (draw.is_straight()) return value_of(draw.key, Feature::attenuation);
+  return shapes.of(instance, draw.primitive->material).convex ? 1 : 2;
+}
+
+// Where something is in a list that holds everything once.
+template <class T>
+std::size_t place_in(std::vector<const T*>& list, std::map<const T*, std::size_t>& places,
+                     const T* thing) {
+  const auto [at, is_new] = places.try_emplace(thing, list.size());
+  if (is_new) list.push_back(thing);
+  return at->second;
+}
+
+} // namespace
+
+glm::dmat4 clip_from_world(const View& view) {
+  const double aspect = static_cast<double>(view.width) / view.height;
+  return frame::clip_from_view(view.camera, aspect) * frame::view_from_world(view.camera);
+}
+
+bool is_outside(const scene::Bounds& bounds, const glm::dmat4& clip_from_world, int width,
+                int height) {
+  // Beyond one plane of the view with all its corners: clip coordinates are linear, so what lies between is, too. A number
+  // that is none is beyond no plane.
+  const double right = 1.0 + 2.0 / width, top = 1.0 + 2.0 / height;
+  unsigned beyond = 63u;
+  for (unsigned i = 0; i < 8; ++i) {
+    const glm::dvec4 c = clip_from_world * glm::dvec4(corner(bounds, i), 1.0);
+    const bool tests[] = {c.x > right * c.w, c.x<-right * c.w, c.y> top * c.w, c.y < -top * c.w,
+                          c.z<0.0, c.z> c.w};
+    for (unsigned k = 0; k < 6; ++k)
+      if (!tests[k]) beyond &= ~(1u << k);
+  }
+  return beyond != 0;
+}
+
+Draws draws_of(const scene::Scene& scene, const View& view) {
+  const FrameFeatures frame{.method = view.method,
+                            .correlated_smith = view.correlated_smith,
+                            .multiple_scattering = view.multiple_scattering,
+                            .environment = view.environment.has_value(),
+                            .lights = !scene.lights.empty()};
+  const glm::dmat4 clip = clip_from_world(view);
+  const glm::vec3 eye(view.camera.world[3]);
+  const glm::vec3 forward = -glm::normalize(glm::vec3(view.camera.world[2]));
+  Draws draws;
+  std::map<const scene::Material*, std::size_t> materials;
+  std::map<const scene::Instance*, std::size_t> instances;
+  for (const scene::Instance& instance : scene.instances)
+    for (const scene::Primitive& primitive :
+         scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives) {
+      const scene::Material& material =
+          scene.materials[static_cast<std::size_t>(primitive.material)];
+      const scene::Bounds bounds = world_bounds(primitive.bounds, instance.world);
+      if (bounds.empty() || is_outside(bounds, clip, view.width, view.height)) {
+        ++draws.outside;
+        continue;
+      }
+      if (is_invisible(material, primitive)) {
+        ++draws.invisible;
+        continue;
+      }
+      const Features features = features_of(scene, material, primitive, frame);
+      Draw& draw = draws.all.emplace_back();
+      draw.primitive = &primitive;
+      draw.material = &material;
+      draw.material_index = place_in(draws.materials, materials, &material);
+      draw.instance_index = place_in(draws.instances, instances, &instance);
+      draw.role = role_of(material);
+      draw.key = features.key;
+      draw.bounds = bounds;
+      const glm::vec3 centre(instance.world * glm::vec4(primitive.bounds.centre(), 1.0f));
+      draw.distance = static_cast<double>(glm::dot(centre - eye, forward));
+      draw.inputs = inputs_of(features, primitive);
+      draw.maps = maps_of(draw.key, material);
+      draw.index_count = scene.indices[static_cast<std::size_t>(primitive.indices)].size();
+      draw.mirrored = instance.mirrored;
+      draw.both_sides = material.double_sided;
+    }
+  Shapes shapes(scene);
+  for (Draw& draw : draws.all) {
+    const int pairs = interior_pairs(draw, view, *draws.instances[draw.instance_index], shapes);
+    set_value(draw.key, Feature::interior_pairs, pairs);
+    if (pairs > 0 && !draw.is_straight())
+      set_value(draw.key, Feature::holds_opaque, holds_opaque(draw, draws.all));
+  }
+  return draws;
+}
+
+} // namespace gg::needs

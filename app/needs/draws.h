@@ -1,0 +1,67 @@
+// What a scene asks to be drawn: one draw per primitive of each instance that can be seen.
+#pragma once
+
+#include "needs/features.h"
+#include "needs/view.h"
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace gg::needs {
+
+// How a surface takes part in a frame.
+enum class Role {
+  opaque,    // hides what is behind it (alpha masks too)
+  blended,   // lies over it, by coverage
+  refractive // shows it bent: glass
+};
+
+// A texture that a draw reads.
+struct Map {
+  const char* name; // in the shader
+  scene::Index texture;
+  bool srgb;
+};
+
+// A stream of vertices that a draw reads.
+struct VertexInput {
+  int location = 0, components = 0; // in stages/opaque.vert
+  scene::Index stream = scene::none;
+};
+
+struct Draw {
+  const scene::Primitive* primitive = nullptr;
+  const scene::Material* material = nullptr;
+  std::size_t material_index = 0, instance_index = 0; // among those that are drawn
+  Role role = Role::opaque;
+  FeatureKey key{};
+  scene::Bounds bounds;  // in the world
+  double distance = 0.0; // metres along the view from the eye to the bounds' centre
+  std::vector<VertexInput> inputs;
+  std::vector<Map> maps;
+  std::size_t index_count = 0;
+  bool mirrored = false, both_sides = false;
+
+  bool is_solid() const { return role == Role::refractive && material->thickness > 0.0f; }
+  // Whether it only lets through what is behind it, unbent.
+  bool is_straight() const { return value_of(key, Feature::index_one) != 0; }
+};
+
+struct Draws {
+  std::vector<Draw> all;                         // in the order of the scene
+  std::vector<const scene::Material*> materials; // that they use, by material_index
+  std::vector<const scene::Instance*> instances; // by instance_index
+  std::size_t outside = 0;   // primitives of instances that are left out: not in the view
+  std::size_t invisible = 0; // the same: glass of index 1 with nothing to it
+};
+
+// `scene` must outlive the result. What is not in the view, or cannot be seen, is as if it were not in the file.
+Draws draws_of(const scene::Scene& scene, const View& view);
+
+// Whether nothing of the box can be within a pixel of the picture: samples lie half a pixel off, and rounding far less.
+bool is_outside(const scene::Bounds& bounds, const glm::dmat4& clip_from_world, int width,
+                int height);
+
+} // namespace gg::needs

@@ -1,0 +1,148 @@
+#include "needs/features.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gg::needs {
+namespace {
+
+using scene::Material;
+using scene::Primitive;
+using scene::Slot;
+
+bool has_uv_set(const Slot& slot, const Primitive& primitive) {
+  return slot && slot.uv_set < static_cast<int>(primitive.uvs.size())
+         && primitive.uvs[static_cast<std::size_t>(slot.uv_set)] != scene::none;
+}
+
+bool has_image(const scene::Scene& scene, const Slot& slot) {
+  const scene::Index image = scene.textures[static_cast<std::size_t>(slot.texture)].image;
+  return image != scene::none && scene.images[static_cast<std::size_t>(image)];
+}
+
+Shading shading_of(const Material& m, const Primitive& primitive) {
+  if (m.unlit) return Shading::unlit;
+  if (m.conductor) return Shading::conductor;
+  if (m.metallic <= 0.0f) return Shading::dielectric;
+  // A map can only lower the factor, so it makes a mixture of any metal.
+  if (has_uv_set(m.metallic_roughness_map, primitive) || m.metallic < 1.0f) return Shading::mixed;
+  return Shading::metal;
+}
+
+Transmission transmission_of(const Material& m) {
+  if (!is_refractive(m)) return Transmission::none;
+  return m.thickness > 0.0f ? Transmission::solid : Transmission::thin;
+}
+
+bool absorbs(const Material& m) {
+  return m.thickness > 0.0f && std::isfinite(m.attenuation_distance)
+         && m.attenuation_color != glm::vec3(1.0f);
+}
+
+// Nothing of it is diffuse or metal: glass alone.
+bool is_all_glass(const Material& m) {
+  return is_refractive(m) && m.transmission == 1.0f && !m.transmission_map && m.metallic <= 0.0f;
+}
+
+// Whether the material can look different with this map than without: a map only scales its factors.
+bool matters(const MapKind& map, const Material& m, Shading shading, const FrameFeatures& frame) {
+  const bool dielectric = shading == Shading::dielectric || shading == Shading::mixed;
+  switch (map.feature) {
+  case Feature::base_color_map:
+    return shading != Shading::conductor || m.alpha_mode != scene::AlphaMode::opaque;
+  case Feature::metallic_roughness_map:
+    return m.metallic > 0.0f || (m.roughness > 0.0f && !m.exact_alpha);
+  case Feature::occlusion_map:
+    return frame.environment && m.occlusion_map.scale != 0.0f;
+  case Feature::emissive_map:
+    return m.emissive != glm::vec3(0.0f);
+  case Feature::specular_map:
+  case Feature::specular_color_map:
+    return dielectric && m.specular > 0.0f;
+  case Feature::transmission_map:
+    return is_refractive(m);
+  case Feature::thickness_map:
+    return transmission_of(m) == Transmission::solid;
+  default:
+    return true;
+  }
+}
+
+std::vector<const MapKind*> maps_of(const scene::Scene& scene, const Material& m,
+                                    const Primitive& primitive, const FrameFeatures& frame) {
+  const Shading shading = shading_of(m, primitive);
+  std::vector<const MapKind*> maps;
+  for (const MapKind& map : map_kinds) {
+    const Slot& slot = m.*map.slot;
+    if (!has_uv_set(slot, primitive) || !has_image(scene, slot)) continue;
+    if (map.feature != Feature::base_color_map && shading == Shading::unlit) continue;
+    if (map.feature == Feature::normal_map && primitive.tangents == scene::none) continue;
+    if (matters(map, m, shading, frame)) maps.push_back(&map);
+  }
+  return maps;
+}
+
+} // namespace
+
+bool is_refractive(const Material& m) {
+  return m.transmission > 0.0f && !m.unlit && !m.conductor && m.metallic < 1.0f;
+}
+
+bool is_invisible(const Material& m, const Primitive& primitive) {
+  return is_all_glass(m) && m.ior == 1.0f && !absorbs(m) && m.emissive == glm::vec3(0.0f)
+         && glm::vec3(m.base_color) == glm::vec3(1.0f) && !m.base_color_map
+         && primitive.colors == scene::none;
+}
+
+Features features_of(const scene::Scene& scene, const Material& m, const Primitive& primitive,
+                     const FrameFeatures& frame_wants) {
+  // Glass of index 1 meets no light on its way: it reflects none and has no base.
+  FrameFeatures frame = frame_wants;
+  if (is_all_glass(m) && m.ior == 1.0f) frame.environment = frame.lights = false;
+
+  Features features;
+  std::vector<int>& sets = features.uv_sets;
+  const auto set = [&](Feature feature, auto value) {
+    set_value(features.key, feature, static_cast<int>(value));
+  };
+  for (const MapKind* map : maps_of(scene, m, primitive, frame)) {
+    const int uv_set = (m.*map->slot).uv_set;
+    auto found = std::ranges::find(sets, uv_set);
+    if (found == sets.end()) {
+      if (static_cast<int>(sets.size()) == max_uv_sets) continue;
+      found = sets.insert(sets.end(), uv_set);
+    }
+    set(map->feature, 1 + (found - sets.begin())); // 0: no map
+  }
+  const Shading shading = shading_of(m, primitive);
+  set(Feature::shading, shading);
+  set(Feature::uv_sets, sets.size());
+  set(Feature::alpha_mode, m.alpha_mode);
+  if (primitive.colors != scene::none) set(Feature::vertex_color, true);
+  if (shading == Shading::unlit) return features;
+
+  set(Feature::distribution, m.distribution);
+  set(Feature::alpha_given, m.exact_alpha.has_value());
+  set(Feature::correlated_smith,
+      frame.correlated_smith && m.distribution == scene::Distribution::ggx);
+  set(Feature::method, frame.method);
+  set(Feature::environment, frame.environment);
+  set(Feature::lights, frame.lights);
+  set(Feature::multiple_scattering, frame.multiple_scattering);
+  if (shading == Shading::dielectric || shading == Shading::mixed)
+    // A coloured or weakened F0 is no index of refraction: Schlick's form is all that is left.
+    // glTF's ior 0 asks for F = 1 at every angle, which Schlick gives with F0 = 1.
+    set(Feature::schlick_dielectric, m.specular != 1.0f || m.specular_color != glm::vec3(1.0f)
+                                         || m.ior == 0.0f || m.specular_map
+                                         || m.specular_color_map);
+  if (const Transmission transmission = transmission_of(m); transmission != Transmission::none) {
+    set(Feature::transmission, transmission);
+    // Peers' method asks for no index.
+    set(Feature::index_one, m.ior == 1.0f && frame.method != Method::standard);
+    set(Feature::dispersion, m.dispersion > 0.0f);
+    if (transmission == Transmission::solid) set(Feature::attenuation, absorbs(m));
+  }
+  return features;
+}
+
+} // namespace gg::needs

@@ -1,0 +1,38 @@
+// What a scene's frame keeps on the device: targets, images, buffers, and their bytes.
+#pragma once
+
+#include "needs/draws.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace gg::needs {
+
+enum class Texel { rgba32f, r32f, rgba32ui, depth32f };
+
+// A texture that passes draw into.
+struct Target {
+  std::string name;
+  Texel texel = Texel::rgba32f;
+  int width = 0, height = 0;
+  int layers = 1, levels = 1;
+};
+
+// An image of the file as materials read it.
+struct Image {
+  scene::Index image = scene::none;
+  bool srgb = false, mipmaps = false;
+  int width = 0, height = 0;
+};
+
+int mip_levels(int width, int height); // of a complete chain
+std::size_t bytes_of(const Target& target);
+std::size_t bytes_of(const Image& image);
+
+// Each once: images in the order of first use, the others by index.
+std::vector<Image> images_of(const scene::Scene& scene, const std::vector<Draw>& draws);
+std::vector<scene::Index> streams_of(const std::vector<Draw>& draws);
+std::vector<scene::Index> index_lists_of(const std::vector<Draw>& draws);
+
+} // namespace gg::needs

@@ -1,0 +1,198 @@
+#include "needs/needs.h"
+
+#include "frame/blocks.h"
+
+#include <algorithm>
+
+namespace gg::needs {
+namespace {
+
+// Glass behind glass behind glass...: each layer takes a pyramid of its own. Past so many, surfaces
+// share the last one: they hide each other but do not show each other.
+constexpr std::size_t most_layers = 8;
+
+// The narrowest level is this many pixels across its shorter side: it stands for a blur as wide as the picture.
+constexpr int least_pyramid = 4;
+
+int pyramid_levels(int width, int height) {
+  int levels = 1;
+  for (int size = std::min(width, height); size / 2 >= least_pyramid; size /= 2)
+    ++levels;
+  return levels;
+}
+
+// Whether a thing's reflection shows what stands about it: metals, and what is glossy. A rough
+// dielectric reflects 4 % of a blur of half the world: its error without is below that.
+bool reflects_company(const Draw& draw) {
+  const scene::Material& m = *draw.material;
+  if (m.unlit) return false;
+  return m.conductor || m.metallic > 0.0f || scene::microfacet_alpha(m) < 0.25f;
+}
+
+void sort_opaque(Needs& needs) {
+  for (const Draw& draw : needs.draws.all)
+    if (draw.role == Role::opaque) needs.opaque.push_back(&draw);
+  std::ranges::stable_sort(needs.opaque, std::less{},
+                           [](const Draw* draw) { return draw->distance; });
+  if (needs.company)
+    std::ranges::copy_if(needs.opaque, std::back_inserter(needs.reflective),
+                         [](const Draw* draw) { return reflects_company(*draw); });
+}
+
+void sort_layers(Needs& needs) {
+  for (Layer& layer : layers_of(needs.draws.all, clip_from_world(needs.view), most_layers)) {
+    // What lies over opaque surfaces alone needs no pass of its own.
+    if (needs.layers.empty() && !layer.shows_behind()) {
+      needs.over_opaque.insert(needs.over_opaque.end(), layer.blended.begin(), layer.blended.end());
+      continue;
+    }
+    // It is cut out of the blur; what does not blur does not reach it.
+    if (!layer.blurs) layer.foreground.clear();
+    needs.layers.push_back(std::move(layer));
+  }
+}
+
+// The scene's box is tight, those of the draws leave out what is not drawn.
+scene::Bounds bounds_of(const std::vector<Draw>& draws, const scene::Bounds& scene) {
+  scene::Bounds bounds;
+  for (const Draw& draw : draws) {
+    bounds.include(draw.bounds.low);
+    bounds.include(draw.bounds.high);
+  }
+  bounds.low = glm::max(bounds.low, scene.low);
+  bounds.high = glm::min(bounds.high, scene.high);
+  return bounds;
+}
+
+// Colours keep 32 bits: scene colour radiance beyond half floats' range (a sun through a hole in the clouds is above
+// 100,000), and its blur and mean with it.
+std::vector<Target> targets_of(const Needs& needs) {
+  const int width = needs.view.width, height = needs.view.height;
+  const auto target = [&](const char* name, Texel texel, int layers = 1, int levels = 1) {
+    return Target{name, texel, width, height, layers, levels};
+  };
+  std::vector<Target> targets{target("scene color", Texel::rgba32f),
+                              target("scene depth", Texel::depth32f)};
+  if (needs.view.samples > 1) targets.push_back(target("average", Texel::rgba32f));
+  bool shows = false, blurs = !needs.reflective.empty();
+  int pairs = 0;
+  for (const Layer& layer : needs.layers) {
+    shows = shows || layer.shows_behind();
+    blurs = blurs || layer.blurs;
+    pairs = std::max(pairs, layer.interior_pairs);
+  }
+  if (shows || blurs)
+    targets.push_back(
+        target("screen pyramid", Texel::rgba32f, 1, blurs ? pyramid_levels(width, height) : 1));
+  if (blurs) targets.push_back(target("backdrop depth", Texel::r32f));
+  if (pairs > 0) {
+    targets.push_back(target("interior", Texel::rgba32ui, 2 * pairs));
+    targets.push_back(target("interior depth", Texel::depth32f));
+  }
+  return targets;
+}
+
+// Of one lobe, where it is looked up.
+int lookups_per_lobe(Method method, int taps) {
+  const int number = static_cast<int>(method);
+  return number >= first_fis ? number - first_fis : std::max(taps, 1);
+}
+
+Lookups lookups_of(const Needs& needs) {
+  const Method method = needs.view.method;
+  Lookups most;
+  for (const Draw& draw : needs.draws.all) {
+    if (value_of(draw.key, Feature::environment) != 0)
+      most.reflected = lookups_per_lobe(method, reflection_taps(method));
+    if (draw.role != Role::refractive) continue;
+    if (draw.is_straight()) {
+      most.refracted = std::max(most.refracted, 1);
+      continue;
+    }
+    // Where the index depends on the wavelength each channel goes its own way.
+    const int ways = value_of(draw.key, Feature::dispersion) != 0 ? 3 : 1;
+    most.refracted =
+        std::max(most.refracted, ways * lookups_per_lobe(method, interface_taps(method)));
+    if (value_of(draw.key, Feature::interior_pairs) == 0) continue;
+    most.bounced = std::max(most.bounced, ways);
+    most.left_over = std::max(most.left_over, ways);
+  }
+  return most;
+}
+
+template <class T>
+std::size_t padded(std::size_t count) {
+  constexpr std::size_t alignment = 256; // of uniform blocks, on every device
+  return (sizeof(T) + alignment - 1) / alignment * alignment * std::max<std::size_t>(count, 1);
+}
+
+std::vector<Share> memory_of(const Needs& needs) {
+  const scene::Scene& scene = *needs.scene;
+  std::size_t vertices = 0, indices = 0, tables = 0, maps = 0, targets = 0;
+  for (const scene::Index i : needs.streams)
+    vertices += scene.streams[static_cast<std::size_t>(i)].values.size() * sizeof(float);
+  for (const scene::Index i : needs.index_lists)
+    indices += scene.indices[static_cast<std::size_t>(i)].size() * sizeof(std::uint32_t);
+  for (const Table& table : needs.tables)
+    tables += table.bytes;
+  for (const Image& image : needs.images)
+    maps += bytes_of(image);
+  for (const Target& target : needs.targets)
+    targets += bytes_of(target);
+  const std::size_t blocks =
+      padded<frame::FrameData>(static_cast<std::size_t>(needs.view.samples))
+      + padded<frame::MaterialData>(needs.draws.materials.size())
+      + padded<frame::InstanceData>(needs.draws.instances.size())
+      + std::max<std::size_t>(scene.lights.size(), 1) * sizeof(frame::LightData);
+  return {{"environment", needs.view.environment.value_or(0)},
+          {"tables", tables},
+          {"maps", maps},
+          {"vertices", vertices},
+          {"indices", indices},
+          {"blocks", blocks},
+          {"targets", targets}};
+}
+
+} // namespace
+
+std::size_t Needs::triangle_count() const {
+  std::size_t count = 0;
+  for (const Draw& draw : draws.all)
+    count += draw.index_count / 3;
+  return count;
+}
+
+std::size_t Needs::bytes() const {
+  std::size_t sum = 0;
+  for (const Share& share : memory)
+    sum += share.bytes;
+  return sum;
+}
+
+const Target* Needs::target(const std::string& name) const {
+  const auto found = std::ranges::find(targets, name, &Target::name);
+  return found == targets.end() ? nullptr : &*found;
+}
+
+Needs needs_of(const scene::Scene& scene, const View& view) {
+  Needs needs;
+  needs.scene = &scene;
+  needs.view = view;
+  needs.draws = draws_of(scene, view);
+  needs.sky = view.environment.has_value();
+  needs.company = needs.sky && needs.draws.all.size() > 1 && view.method != Method::standard;
+  needs.bounds = bounds_of(needs.draws.all, scene.bounds);
+  sort_opaque(needs);
+  sort_layers(needs);
+  needs.tables = tables_of(needs.draws.all, view);
+  needs.images = images_of(scene, needs.draws.all);
+  needs.streams = streams_of(needs.draws.all);
+  needs.index_lists = index_lists_of(needs.draws.all);
+  needs.targets = targets_of(needs);
+  needs.passes = passes_of(needs);
+  needs.memory = memory_of(needs);
+  needs.lookups = lookups_of(needs);
+  return needs;
+}
+
+} // namespace gg::needs

@@ -1,0 +1,68 @@
+// What a frame of a scene needs, decided in one place and carried out by app/frame: draws, layers, passes, targets, tables,
+// maps and their bytes. Pure: no device, and the same answer for the same question.
+#pragma once
+
+#include "needs/draws.h"
+#include "needs/layers.h"
+#include "needs/memory.h"
+#include "needs/passes.h"
+#include "needs/tables.h"
+#include "needs/view.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace gg::needs {
+
+// Lookups of the blurred surroundings (picture or environment) that one pixel makes, at most.
+struct Lookups {
+  int reflected = 0; // by a surface's own reflection
+  int refracted = 0; // of what is seen through glass, where light first comes to leave it
+  int bounced = 0;   // where it leaves after total reflections inside a solid
+  int left_over = 0; // for what has not left then
+};
+
+// Bytes on the device by what they are for.
+struct Share {
+  std::string of;
+  std::size_t bytes = 0;
+};
+
+// Points into itself and into the scene: it can be moved, not copied.
+struct Needs {
+  Needs() = default;
+  Needs(Needs&&) = default;
+  Needs& operator=(Needs&&) = default;
+
+  const scene::Scene* scene = nullptr;
+  View view;
+  Draws draws;
+  std::vector<const Draw*> opaque;     // near to far: the depth test then spares hidden shading
+  std::vector<const Draw*> reflective; // of these, what shows things that stand about it
+  std::vector<LayerDraw> over_opaque;  // blended surfaces with no glass behind them
+  std::vector<Layer> layers;           // the farthest first, each with glass in it or behind it
+  bool company = false;                // reflections can meet other things
+  bool sky = false;
+  scene::Bounds bounds; // of what is drawn, in the world: beyond it no ray meets anything
+
+  std::vector<Table> tables;
+  std::vector<Image> images;
+  std::vector<scene::Index> streams, index_lists; // of the scene, that draws read
+  std::vector<Target> targets;
+  std::vector<Pass> passes; // of one sample
+  std::vector<Share> memory;
+  Lookups lookups;
+
+  std::size_t triangle_count() const;                  // per sample, each draw once
+  std::size_t bytes() const;                           // of `memory` together
+  const Target* target(const std::string& name) const; // null: there is none
+};
+
+// Total reflections inside a solid that are followed.
+inline constexpr int most_bounces = 2;
+
+// `scene` must outlive the result.
+Needs needs_of(const scene::Scene& scene, const View& view);
+
+} // namespace gg::needs

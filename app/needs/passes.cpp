@@ -1,0 +1,128 @@
+#include "needs/passes.h"
+
+#include "needs/needs.h"
+
+namespace gg::needs {
+namespace {
+
+class List {
+public:
+  explicit List(const Needs& needs) : needs_(needs) {}
+  std::vector<Pass> passes;
+
+  void add(Pass pass) { passes.push_back(std::move(pass)); }
+  // What shaders of materials read besides targets.
+  std::vector<std::string> uploads() const {
+    std::vector<std::string> names;
+    if (needs_.view.environment) names.emplace_back("environment");
+    if (!needs_.tables.empty()) names.emplace_back("tables");
+    if (!needs_.images.empty()) names.emplace_back("maps");
+    return names;
+  }
+  std::vector<std::string> uploads_and(std::vector<std::string> names) const {
+    const std::vector<std::string> uploaded = uploads();
+    names.insert(names.end(), uploaded.begin(), uploaded.end());
+    return names;
+  }
+
+  // The picture so far, and with `blurs` all that lookups in it take. Depth is taken once, while it is that of opaque
+  // surfaces: rays pass other glass, and what they meet behind it shows its colour.
+  void add_backdrop(std::size_t layer, bool blurs, std::size_t foreground) {
+    const bool takes_depth = !has_depth_ && needs_.target("backdrop depth");
+    has_depth_ = has_depth_ || takes_depth;
+    Pass backdrop{.kind = PassKind::backdrop,
+                  .label = "backdrop",
+                  .layer = layer,
+                  .takes_depth = takes_depth,
+                  .reads = {"scene color"},
+                  .writes = {"screen pyramid 0"}};
+    if (takes_depth) {
+      backdrop.reads.emplace_back("scene depth");
+      backdrop.writes.emplace_back("backdrop depth");
+    }
+    add(backdrop);
+    if (!blurs) return;
+    if (foreground > 0)
+      add({.kind = PassKind::foreground,
+           .label = "foreground",
+           .layer = layer,
+           .draws = foreground,
+           .reads = {"scene depth"},
+           .writes = {"screen pyramid 0"}});
+    for (int level = 1; level < needs_.target("screen pyramid")->levels; ++level)
+      add({.kind = PassKind::pyramid,
+           .label = "pyramid",
+           .layer = layer,
+           .part = level,
+           .reads = {"screen pyramid " + std::to_string(level - 1)},
+           .writes = {"screen pyramid " + std::to_string(level)}});
+  }
+
+  void add_interior(std::size_t l) {
+    static constexpr const char* faces[] = {"F1", "B1", "F2", "B2"};
+    const Layer& layer = needs_.layers[l];
+    for (int part = 0; part < 2 * layer.interior_pairs; ++part) {
+      Pass pass{.kind = PassKind::interior,
+                .label = std::string("interior ") + faces[part],
+                .layer = l,
+                .part = part,
+                .writes = {std::string("interior ") + faces[part], "interior depth"}};
+      for (const Draw* solid : layer.solids)
+        if (part < 2 * value_of(solid->key, Feature::interior_pairs)) ++pass.draws;
+      if (part > 1) pass.reads.emplace_back(std::string("interior ") + faces[part - 2]);
+      if (!needs_.images.empty()) pass.reads.emplace_back("maps");
+      add(pass);
+    }
+  }
+
+  void add_layer(std::size_t l) {
+    const Layer& layer = needs_.layers[l];
+    Pass pass{.kind = PassKind::layer,
+              .label = layer.shows_behind() ? "refractive" : "blended",
+              .layer = l,
+              .draws = layer.refractive.size() + layer.blended.size(),
+              .writes = {"scene color", "scene depth"}};
+    if (layer.shows_behind()) pass.reads.emplace_back("screen pyramid");
+    if (layer.blurs) pass.reads.emplace_back("backdrop depth");
+    if (!layer.solids.empty()) pass.reads.emplace_back("interior");
+    pass.reads = uploads_and(pass.reads);
+    add(pass);
+  }
+
+private:
+  const Needs& needs_;
+  bool has_depth_ = false;
+};
+
+} // namespace
+
+std::vector<Pass> passes_of(const Needs& needs) {
+  List list(needs);
+  list.add({.kind = PassKind::opaque,
+            .label = "opaque",
+            .draws = needs.opaque.size() + needs.over_opaque.size(),
+            .reads = list.uploads(),
+            .writes = {"scene color", "scene depth"}});
+  if (!needs.reflective.empty()) {
+    list.add_backdrop(0, true, 0);
+    list.add({.kind = PassKind::reflective,
+              .label = "reflective",
+              .draws = needs.reflective.size(),
+              .reads = list.uploads_and({"screen pyramid", "backdrop depth"}),
+              .writes = {"scene color"}});
+  }
+  for (std::size_t l = 0; l < needs.layers.size(); ++l) {
+    const Layer& layer = needs.layers[l];
+    if (layer.shows_behind()) list.add_backdrop(l, layer.blurs, layer.foreground.size());
+    list.add_interior(l);
+    list.add_layer(l);
+  }
+  if (needs.view.samples > 1)
+    list.add({.kind = PassKind::accumulate,
+              .label = "accumulate",
+              .reads = {"scene color"},
+              .writes = {"average"}});
+  return std::move(list.passes);
+}
+
+} // namespace gg::needs

@@ -1,0 +1,36 @@
+// The passes of a frame, in the order in which they run.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace gg::needs {
+
+struct Needs;
+
+enum class PassKind {
+  opaque,   // what hides what is behind it, the sky, and blended surfaces that lie over these alone
+  backdrop, // the picture so far, for lookups: level 0 of the pyramid
+  foreground, // cuts out of it what stands before the layer
+  pyramid,    // one level from the one before
+  reflective, // opaque surfaces once more, now that the picture shows what they reflect
+  interior,   // the faces of solids
+  layer,      // glass, and blended surfaces among it
+  accumulate  // adds the sample to the average
+};
+
+struct Pass {
+  PassKind kind = PassKind::opaque;
+  std::string label;                      // of its timer
+  std::size_t layer = 0;                  // of Needs::layers, where it is of one
+  int part = 0;                           // pyramid: level; interior: 0 F1, 1 B1, 2 F2, 3 B2
+  bool takes_depth = false;               // backdrop: the depth too
+  std::size_t draws = 0;                  // of meshes
+  std::vector<std::string> reads, writes; // targets and what was uploaded, by name
+};
+
+// Of one sample. All else in `needs` is known.
+std::vector<Pass> passes_of(const Needs& needs);
+
+} // namespace gg::needs

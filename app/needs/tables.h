@@ -1,0 +1,34 @@
+// Which of the tables in assets/tables a scene's materials read.
+#pragma once
+
+#include "needs/draws.h"
+#include "tables/lobe.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace gg::needs {
+
+enum class TableKind { reflection_energy, reflection_lobes, interface_energy, interface_lobes };
+
+struct Table {
+  TableKind kind;
+  tables::Model model;
+  int taps = 0; // that it holds; 0: it is of energies
+  std::string file;
+  std::size_t bytes = 0; // on the device
+};
+
+// The tables that stand for a material's lobe.
+tables::Model model_of(const scene::Material& material, bool correlated_smith);
+
+// Taps of a method's tables: of one face's reflection, and of one face that light passes. What is composed of two faces
+// needs two taps of each at most (refraction/composition_fetch.glsl). 0: it reads none.
+int reflection_taps(Method method);
+int interface_taps(Method method);
+
+// Each once, in the order of tables::models.
+std::vector<Table> tables_of(const std::vector<Draw>& draws, const View& view);
+
+} // namespace gg::needs
