@@ -18,7 +18,8 @@ struct Welded {
   double largest = 0.0;            // coordinate, by magnitude
 };
 
-// Normals that were rounded to 8 bits lie up to .4 degrees beside their own.
+// A face of one plane has one normal at all its corners, whatever it was rounded to: to 8 bits, up to
+// .4 degrees.
 constexpr double flat_cosine = 0.99985; // of 1 degree
 
 glm::dvec3 vector_at(const Stream& stream, std::uint32_t i) {
@@ -122,10 +123,10 @@ bool is_flat(const Scene& scene, std::span<const Primitive* const> parts) {
       const glm::dvec3 a = vector_at(positions, indices[i]);
       const glm::dvec3 normal = glm::cross(vector_at(positions, indices[i + 1]) - a,
                                            vector_at(positions, indices[i + 2]) - a);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec3 n = vector_at(normals, indices[i + k]);
-        if (glm::dot(n, normal) < flat_cosine * glm::length(n) * glm::length(normal)) return false;
-      }
+      const glm::dvec3 n = vector_at(normals, indices[i]);
+      if (n != vector_at(normals, indices[i + 1]) || n != vector_at(normals, indices[i + 2])
+          || glm::dot(n, normal) < flat_cosine * glm::length(n) * glm::length(normal))
+        return false;
     }
   }
   return true;

@@ -4,10 +4,11 @@
 // Returns  findExit: where the ray next meets the solid's surface from inside, see ExitHit; never NaN. `direction` is unit;
 //          `guess`: about how far, metres, the own thickness (interiorThickness) for a first segment; `afterBounce`: the ray
 //          starts on a surface that reflected it.
-// Source   exit_search.glsl. Plane steps from the guess, believed if three places on the way are inside and show nothing to meet
-//          before; else steps outwards to a crossing. Accepted only where the surface faces along the ray.
-// Limits   pairs 1: F1 and B1, exact for convex bodies; 2: the pair behind too. What is narrower than a texel or outside the
-//          picture is not found.
+// Source   exit_search.glsl. Plane steps from the guess, believed (unless the body is convex) if three places on the way are
+//          inside and show nothing to meet before; else steps outwards to a crossing. Accepted only where the surface faces
+//          along the ray.
+// Limits   pairs 1: F1 and B1, of a body that is convex or taken to be; 2: the pair behind too. What is narrower than a texel or
+//          outside the picture is not found.
 #ifndef GG_REFRACTION_EXIT_SEARCH_FETCH_GLSL
 #define GG_REFRACTION_EXIT_SEARCH_FETCH_GLSL
 
@@ -111,7 +112,7 @@ ExitHit findExit(usampler2DArray interior, InteriorView view, int pairs, float s
     ExitSteps s = exitSteps(interior, pairs, view, ray, solid, origin, direction, t, march.way);
     march.reads += s.reads;
     bool believed = s.t > 0.0;
-    if (guessed > 0.0 && believed) {
+    if (guessed > 0.0 && believed && pairs > 1) { // a convex body is left once
       ExitDoubt doubt = exitDoubt(interior, pairs, view, ray, solid, origin, direction, s.t, march.first, march.stretch);
       march.reads += doubt.reads;
       believed = doubt.believed;
