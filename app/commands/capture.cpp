@@ -1,4 +1,5 @@
 // groundglass capture: one picture of a scene, offscreen.
+#include "commands/auto_method.h"
 #include "commands/commands.h"
 #include "commands/options.h"
 #include "core/error.h"
@@ -105,6 +106,7 @@ void capture(const Options& o) {
                 "Choose separable or correlated.");
   const Size size = parse_size(o.scene.size);
   const frame::ToneMap tone_map = frame::parse_tone_map(o.tonemap);
+  const NamedMethod method = choose_method(o.scene, o.device, o.method);
 
   auto start = Clock::now();
   const scene::Scene scene = load_scene(o.scene);
@@ -116,7 +118,7 @@ void capture(const Options& o) {
                         .height = size.height,
                         .samples = o.method.samples,
                         .camera = choose_camera(o.scene, scene, size),
-                        .method = parse_method(o.method.method),
+                        .method = method.method,
                         .correlated_smith = o.method.smith == "correlated",
                         .multiple_scattering = o.method.multiscatter};
   const auto map = load_environment(o.scene, scene);
@@ -146,7 +148,7 @@ void capture(const Options& o) {
                            {"driver", device->info().driver},
                            {"backend", device->info().backend},
                            {"surface", device->info().surface},
-                           {"method", o.method.method},
+                           {"method", method.name},
                            {"width", size.width},
                            {"height", size.height},
                            {"samples", desc.samples},

@@ -9,6 +9,7 @@ void add_all(CLI::App& app) {
   add_eval(app);
   add_figures(app);
   add_needs(app);
+  add_report(app);
   add_tables(app);
   add_truth(app);
   add_unfinished(app);

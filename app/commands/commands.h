@@ -17,6 +17,7 @@ void add_devices(CLI::App& app);
 void add_eval(CLI::App& app);
 void add_figures(CLI::App& app);
 void add_needs(CLI::App& app);
+void add_report(CLI::App& app);
 void add_tables(CLI::App& app);
 void add_truth(CLI::App& app);
 void add_unfinished(CLI::App& app); // promised names that say so and exit with `unsupported`

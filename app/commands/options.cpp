@@ -7,9 +7,11 @@
 #include "scene/load.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
+#include <fstream>
 
 namespace gg::commands {
 namespace {
@@ -51,6 +53,10 @@ std::optional<glm::vec3> as_vec3(const std::string& text) {
 
 void add_options(CLI::App& app, SceneOptions& o) {
   app.add_option("SCENE", o.scene, "A glTF 2.0 file, .gltf or .glb")->required();
+  add_view_options(app, o);
+}
+
+void add_view_options(CLI::App& app, SceneOptions& o) {
   app.add_option("--material", o.materials,
                  "NAME=PRESET[,key=value...], * for every material; may be repeated")
       ->take_all()
@@ -77,7 +83,12 @@ void add_options(CLI::App& app, DeviceOptions& o) {
 }
 
 void add_options(CLI::App& app, MethodOptions& o) {
-  app.add_option("--method", o.method, "standard or lobes1")->capture_default_str();
+  app.add_option("--method", o.method,
+                 "standard, lobes1, ...; or auto, which measures all of them on the scene first")
+      ->capture_default_str();
+  app.add_option("--budget", o.budget, "For --method auto: the most accurate within so many ms");
+  app.add_option("--max-error", o.max_error,
+                 "For --method auto: the fastest with a relMSE over the objects no larger");
   app.add_option("--samples", o.samples, "Sub-pixel samples averaged: antialiasing")
       ->capture_default_str();
   app.add_option("--smith", o.smith, "Shadowing: separable (Walter 2007) or correlated")
@@ -151,9 +162,51 @@ std::optional<environment::Map> load_environment(const SceneOptions& options,
       refuse("--env", options.env, "Radiance is not negative.");
     return environment::constant(*color);
   }
-  return environment::load(options.env.empty()
-                               ? home_directory() / "assets/environments/royal_esplanade_1k.hdr"
-                               : std::filesystem::path(options.env));
+  return environment::load(*environment_file(options));
+}
+
+std::optional<std::filesystem::path> environment_file(const SceneOptions& options) {
+  if (options.env == "none" || as_vec3(options.env)) return std::nullopt;
+  return options.env.empty() ? home_directory() / "assets/environments/royal_esplanade_1k.hdr"
+                             : std::filesystem::path(options.env);
+}
+
+std::string in_shell(const std::string& word) {
+  constexpr const char* plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char ch : word)
+    quoted += ch == '\'' ? std::string("'\\''") : std::string(1, ch);
+  return quoted + "'";
+}
+
+std::string command_line() {
+  std::string line;
+  std::ifstream in("/proc/self/cmdline", std::ios::binary); // words that end with a zero each
+  for (std::string word; std::getline(in, word, '\0');)
+    line += line.empty() ? std::filesystem::path(word).filename().string() : " " + in_shell(word);
+  return line;
+}
+
+std::string typed_view(const SceneOptions& o) {
+  const SceneOptions defaults;
+  std::string line;
+  const auto add = [&](const char* option, const std::string& value, const std::string& usual) {
+    if (value != usual) line += std::string(" ") + option + " " + in_shell(value);
+  };
+  for (const std::string& material : o.materials)
+    add("--material", material, "");
+  add("--env", o.env, defaults.env);
+  add("--env-rotation", fmt::format("{}", o.env_rotation), "0");
+  add("--env-intensity", fmt::format("{}", o.env_intensity), "1");
+  add("--size", o.size, defaults.size);
+  add("--camera", o.camera, defaults.camera);
+  add("--eye", o.eye, defaults.eye);
+  add("--target", o.target, defaults.target);
+  add("--up", o.up, defaults.up);
+  if (o.fovy) add("--fovy", fmt::format("{}", *o.fovy), "");
+  return line;
 }
 
 std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options) {
@@ -184,14 +237,27 @@ std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options) {
   }
 }
 
-needs::Method parse_method(const std::string& text) {
-  if (text == "standard") return needs::Method::standard;
-  if (text == "lobes1") return needs::Method::lobes1;
-  if (text == "lobes2") return needs::Method::lobes2;
-  if (text == "lobes3" || text == "lobes4" || text.starts_with("fis") || text == "auto")
+const std::vector<NamedMethod>& methods() {
+  static const std::vector<NamedMethod> all = {{"standard", needs::Method::standard, 1},
+                                               {"lobes1", needs::Method::lobes1, 1},
+                                               {"lobes2", needs::Method::lobes2, 2}};
+  return all;
+}
+
+NamedMethod find_method(const std::string& text) {
+  std::string names;
+  for (const NamedMethod& method : methods()) {
+    if (method.name == text) return method;
+    names += (names.empty() ? "" : ", ") + method.name;
+  }
+  if (text == "lobes3" || text == "lobes4" || text.starts_with("fis"))
     throw Error(ExitCode::unsupported, "--method", "'" + text + "' is not available yet",
-                "Available: standard, lobes1.");
-  refuse("--method", text, "The methods are standard and lobes1.");
+                "Available: " + names + ".");
+  refuse("--method", text, "The methods are " + names + ".");
+}
+
+needs::Method parse_method(const std::string& text) {
+  return find_method(text).method;
 }
 
 } // namespace gg::commands

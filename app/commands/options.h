@@ -6,6 +6,7 @@
 #include "gpu/device.h"
 #include "scene/scene.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,9 +39,12 @@ struct MethodOptions {
   std::string method = "lobes1", smith = "separable";
   bool multiscatter = false;
   int samples = 16;
+  std::optional<double> budget, max_error; // ms; relMSE: of --method auto
 };
 
 void add_options(CLI::App& app, SceneOptions& options);
+// The same without SCENE, for commands that take several scenes.
+void add_view_options(CLI::App& app, SceneOptions& options);
 void add_options(CLI::App& app, DeviceOptions& options);
 void add_options(CLI::App& app, MethodOptions& options);
 
@@ -58,6 +62,25 @@ scene::Camera choose_camera(const SceneOptions& options, const scene::Scene& sce
 std::optional<environment::Map> load_environment(const SceneOptions& options,
                                                  const scene::Scene& scene);
 std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options);
+
+// What --env means: a file, or nothing for `none` and a colour.
+std::optional<std::filesystem::path> environment_file(const SceneOptions& options);
+// The options that differ from their defaults, each after a space, as they would be typed in a shell.
+std::string typed_view(const SceneOptions& options);
+// A word as a shell reads it back.
+std::string in_shell(const std::string& word);
+// How this program was called.
+std::string command_line();
+
+struct NamedMethod {
+  std::string name; // as --method takes it
+  needs::Method method;
+  int taps; // lookups of the blurred surroundings per pixel and lobe
+};
+// All that a report compares if it is not told which.
+const std::vector<NamedMethod>& methods();
+// By name. Throws Error(usage).
+NamedMethod find_method(const std::string& text);
 needs::Method parse_method(const std::string& text);
 
 } // namespace gg::commands

@@ -30,7 +30,7 @@ struct Options {
   double error = 0.0;
   std::uint64_t seed = 0;
   int threads = 0;
-  bool surface_only = false, resume = false;
+  bool surface_only = false, resume = false, half = false;
 };
 
 constexpr long default_spp = 256;
@@ -120,6 +120,7 @@ std::string command_line(const Options& o, long spp) {
   if (o.smith != "separable") add("--smith", o.smith);
   for (const std::string& material : o.scene.materials)
     add("--material", "'" + material + "'");
+  if (o.half) line += " --half";
   return line + (o.surface_only ? " --surface-only" : "");
 }
 
@@ -132,6 +133,14 @@ image::Exr picture_of(const truth::Film& film, const scene::Scene& scene,
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
     exr.attributes[fmt::format("object.{}", i + 1)] = scene.instances[i].name;
   return exr;
+}
+
+// Small, for keeping: the standard error stays in the header, as its mean and as the relative error.
+image::Exr halved(image::Exr picture) {
+  for (const char* channel : {"stderr.R", "stderr.G", "stderr.B"})
+    picture.channels.erase(channel);
+  picture.half = true;
+  return picture;
 }
 
 void trace(const Options& o) {
@@ -183,7 +192,7 @@ void trace(const Options& o) {
     throw Error(ExitCode::interrupted, o.out, "interrupted before there was anything to keep");
 
   const image::Exr picture = picture_of(film, scene, settings, o);
-  image::write_exr(o.out, picture);
+  image::write_exr(o.out, o.half ? halved(picture) : picture);
   if (!o.json.empty()) {
     OutputFile file(o.json);
     file.write(json{{"width", size.width},
@@ -228,6 +237,9 @@ void add_truth(CLI::App& app) {
                     "Each visible point lit through its BSDF alone: nothing shadows, nothing is "
                     "reflected twice");
   command->add_flag("--resume", options->resume, "Go on from the samples that the output file has");
+  command->add_flag("--half", options->half,
+                    "Store 16-bit floats and no standard errors by pixel: a small reference, which "
+                    "--resume cannot go on from");
   command->add_option("--threads", options->threads, "0: as many as the machine has");
   command->add_option("--json", options->json, "Write times, samples and error to this file");
   command->callback([options] { trace(*options); });

@@ -14,7 +14,6 @@ void add_unfinished(CLI::App& app) {
     const char *name, *description, *instead;
   };
   for (const Unfinished& command : {
-           Unfinished{"report", "Speed against error over scenes and methods", ""},
            Unfinished{"view", "Interactive viewer", "Use capture for a picture."},
            Unfinished{"snippet", "Print a shader snippet, flattened",
                       "The files are in shaders/; see shaders/README.md."},

@@ -1,0 +1,111 @@
+#include "commands/auto_method.h"
+
+#include "commands/subject.h"
+#include "core/error.h"
+#include "report/cache.h"
+#include "report/frames.h"
+#include "report/report.h"
+#include "report/truths.h"
+#include "truth/interrupt.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace gg::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where measurements are kept; without a home, as long as the temporary directory lasts.
+fs::path measurements() {
+  // Relative paths are to be ignored, says the XDG base directory specification.
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && cache[0] == '/')
+    return fs::path(cache) / "groundglass" / "auto";
+  if (const char* home = std::getenv("HOME"); home && home[0] == '/')
+    return fs::path(home) / ".cache" / "groundglass" / "auto";
+  return fs::temp_directory_path() / "groundglass-auto";
+}
+
+void check(const MethodOptions& o) {
+  if (o.method != "auto") {
+    if (o.budget || o.max_error)
+      throw Error(ExitCode::usage, o.budget ? "--budget" : "--max-error",
+                  "is given with --method " + o.method, "Write --method auto.");
+    return;
+  }
+  if (o.multiscatter)
+    throw Error(ExitCode::usage, "--method auto", "does not measure --multiscatter",
+                "Name the method, or leave --multiscatter out.");
+  if (!o.budget == !o.max_error)
+    throw Error(ExitCode::usage, "--method auto", "wants one limit",
+                "Give --budget MS or --max-error X (relMSE over the objects).");
+  for (const auto& [name, value] :
+       {std::pair{"--budget", o.budget}, std::pair{"--max-error", o.max_error}})
+    if (value && !(*value > 0.0 && std::isfinite(*value)))
+      throw Error(ExitCode::usage, name, "must be more than 0");
+}
+
+// The same picture, no side longer than measured_side.
+SceneOptions reduced(const SceneOptions& scene) {
+  const Size size = parse_size(scene.size);
+  const double scale =
+      std::min(1.0, static_cast<double>(measured_side) / std::max(size.width, size.height));
+  const auto side = [&](int full) { return std::max(1L, std::lround(scale * full)); };
+  SceneOptions result = scene;
+  result.size = fmt::format("{}x{}", side(size.width), side(size.height));
+  return result;
+}
+
+} // namespace
+
+NamedMethod choose_method(const SceneOptions& scene, const DeviceOptions& device,
+                          const MethodOptions& method) {
+  check(method);
+  if (method.method != "auto") return find_method(method.method);
+  report::Plan plan{.correlated_smith = method.smith == "correlated",
+                    .samples = 1,
+                    .truth_samples = measured_samples,
+                    .limit = {.max_error = method.max_error, .budget = method.budget}};
+  for (const NamedMethod& m : methods())
+    plan.methods.push_back({m.name, m.method, m.taps});
+  plan.devices.emplace_back(device.backend, [device] { return open_device(device); });
+
+  const truth::Interruptible interruptible;
+  const report::Cache cache(measurements());
+  report::Devices devices(plan);
+  const report::Subject full = subject_of(scene, method.smith);
+  std::vector<report::Point> points;
+  try {
+    std::unique_ptr<report::Loaded> loaded;
+    for (const report::Cell& cell :
+         report::drawn(full, plan, cache, devices, [&]() -> const report::Loaded& {
+           if (!loaded) loaded = full.load();
+           return *loaded;
+         }).cells)
+      points.push_back({.ms = cell.timing.frame.median});
+    plan.samples = 4; // the small picture's edges, antialiased as the truth's are
+    plan.frames = 1;  // its times are not asked for
+    report::Work work;
+    const report::Section small =
+        report::measure(subject_of(reduced(scene), method.smith), plan, cache, devices, work);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i].error = small.cells[i].verdict.objects.relmse;
+  } catch (const report::Interrupted&) {
+    throw Error(ExitCode::interrupted, "--method auto", "was interrupted while measuring",
+                "The same command goes on from there.");
+  }
+  const auto choice = report::choose(points, plan.limit);
+  if (!choice) throw Error(ExitCode::internal, "--method auto", "measured nothing");
+  const NamedMethod& chosen = methods()[choice->index];
+  note(fmt::format(
+      "--method auto: {}, {:.3g} ms per frame of one sample per pixel, relMSE {:.3g} over the "
+      "objects{}",
+      chosen.name, points[choice->index].ms, points[choice->index].error,
+      choice->met ? "" : "; no method meets the limit, this one comes nearest"));
+  return chosen;
+}
+
+} // namespace gg::commands

@@ -1,0 +1,168 @@
+// groundglass report: how fast and how wrong each method is, for the user's own scenes.
+#include "report/report.h"
+
+#include "commands/commands.h"
+#include "commands/options.h"
+#include "commands/subject.h"
+#include "core/error.h"
+#include "report/tables.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+namespace gg::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::vector<std::string> scenes;
+  SceneOptions view{.size = "512x512"};
+  std::string out, methods, backends = "opengl", surface, smith = "separable";
+  int device = -1, samples = 16, frames = 20;
+  long spp = 256;
+  double error = 0.0;
+  std::optional<double> max_error, budget;
+};
+
+// The parts of "a,b,c", none empty or given twice.
+std::vector<std::string> split(const std::string& list, const std::string& option) {
+  std::vector<std::string> parts;
+  std::istringstream in(list + ",");
+  for (std::string part; std::getline(in, part, ',');) {
+    if (part.empty() || std::ranges::find(parts, part) != parts.end())
+      throw Error(ExitCode::usage, option, "'" + list + "' names nothing or one thing twice",
+                  "Write names with commas between them: " + option + " one,other.");
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+void check(const Options& o) {
+  const auto between = [](const char* option, long value, long low, long high) {
+    if (value < low || value > high)
+      throw Error(ExitCode::usage, option, fmt::format("must be from {} to {}", low, high));
+  };
+  between("--samples", o.samples, 1, 4096);
+  between("--frames", o.frames, 1, 100'000);
+  between("--spp", o.spp, 2, 1L << 30);
+  const auto positive = [](const char* option, double value) {
+    if (!(value > 0.0) || !std::isfinite(value))
+      throw Error(ExitCode::usage, option, "must be more than 0");
+  };
+  if (o.error != 0.0) positive("--error", o.error);
+  if (o.max_error) positive("--max-error", *o.max_error);
+  if (o.budget) positive("--budget", *o.budget);
+  if (o.smith != "separable" && o.smith != "correlated")
+    throw Error(ExitCode::usage, "--smith", "'" + o.smith + "' is not known",
+                "Choose separable or correlated.");
+}
+
+std::vector<report::Method> methods_of(const Options& o) {
+  std::vector<report::Method> result;
+  if (o.methods.empty())
+    for (const NamedMethod& m : methods())
+      result.push_back({m.name, m.method, m.taps});
+  else
+    for (const std::string& name : split(o.methods, "--methods")) {
+      const NamedMethod m = find_method(name);
+      result.push_back({m.name, m.method, m.taps});
+    }
+  return result;
+}
+
+report::Plan plan_of(const Options& o) {
+  report::Plan plan{.methods = methods_of(o),
+                    .correlated_smith = o.smith == "correlated",
+                    .samples = o.samples,
+                    .frames = o.frames,
+                    .truth_samples = o.spp,
+                    .truth_error = o.error,
+                    .limit = {.max_error = o.max_error, .budget = o.budget},
+                    .directory = o.out,
+                    .version = GROUNDGLASS_VERSION,
+                    .command = command_line()};
+  for (const std::string& backend : split(o.backends, "--backend")) {
+    const DeviceOptions device{
+        .backend = backend, .surface = backend == "vulkan" ? "" : o.surface, .device = o.device};
+    plan.devices.emplace_back(backend, [device] { return open_device(device); });
+  }
+  for (const std::string& scene : o.scenes) {
+    SceneOptions one = o.view;
+    one.scene = scene;
+    plan.subjects.push_back(subject_of(one, o.smith));
+    // Scenes of one name in different folders are told apart by a number.
+    const std::string name = plan.subjects.back().name;
+    const auto same = std::ranges::count(
+        plan.subjects, fs::path(scene).stem().string(),
+        [](const report::Subject& s) { return fs::path(s.path).stem().string(); });
+    if (same > 1) plan.subjects.back().name = fmt::format("{}-{}", name, same);
+  }
+  return plan;
+}
+
+void run(const Options& o) {
+  check(o);
+  const report::Plan plan = plan_of(o);
+  const report::Outcome outcome = report::run(plan);
+  bool unmet = false;
+  for (const report::Section& section : outcome.report.sections) {
+    if (!section.choice) continue;
+    fmt::print("{}: {}\n", section.name, report::choice_text(section, plan.limit));
+    unmet = unmet || !section.choice->met;
+  }
+  const report::Work& work = outcome.work;
+  fmt::print("{}: {} of {} scenes; {} truths traced, {} pictures drawn, {} timed in this run\n",
+             (plan.directory / "report.html").string(), outcome.report.sections.size(),
+             plan.subjects.size(), work.traced, work.drawn, work.timed);
+  if (outcome.interrupted)
+    throw Error(ExitCode::interrupted, o.out,
+                fmt::format("interrupted; {} of {} scenes are in the report",
+                            outcome.report.sections.size(), plan.subjects.size()),
+                "The same command goes on from there.");
+  if (unmet)
+    throw Error(ExitCode::different, o.max_error ? "--max-error" : "--budget",
+                "is met by no method in at least one scene", "The report names the nearest one.");
+}
+
+} // namespace
+
+void add_report(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "report", "Measure how fast and how wrong each method is, and write a page about it");
+  command->add_option("SCENE", o->scenes, "glTF 2.0 files")->required();
+  command->add_option("-o,--output", o->out, "Directory for the report and its cache")->required();
+  command->add_option("--methods", o->methods, "With commas between them (all if not given)");
+  command->add_option("--backend", o->backends, "opengl, vulkan, or both: opengl,vulkan")
+      ->capture_default_str();
+  command->add_option("--surface", o->surface, "egl or osmesa (OpenGL only)");
+  command->add_option("--device", o->device, "Index from `groundglass devices`");
+  add_view_options(*command, o->view);
+  command->add_option("--samples", o->samples, "Sub-pixel samples of a picture")
+      ->capture_default_str();
+  command->add_option("--frames", o->frames, "Frames to time, of one sample per pixel")
+      ->capture_default_str();
+  CLI::Option* spp =
+      command->add_option("--spp", o->spp, "Samples per pixel of the truth")->capture_default_str();
+  command
+      ->add_option("--error", o->error,
+                   "Trace until the truth's relative error is this small (see truth --help)")
+      ->excludes(spp);
+  command->add_option("--smith", o->smith, "Shadowing: separable (Walter 2007) or correlated")
+      ->capture_default_str();
+  CLI::Option* budget =
+      command->add_option("--budget", o->budget, "Name the most accurate method within so many ms");
+  command
+      ->add_option("--max-error", o->max_error,
+                   "Name the fastest method whose relMSE over the objects is no larger")
+      ->excludes(budget);
+  command->callback([o] { run(*o); });
+}
+
+} // namespace gg::commands

@@ -1,0 +1,90 @@
+#include "report/exports.h"
+
+#include "report/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gg::report {
+namespace {
+
+using nlohmann::json;
+
+json to_json(const Cell& c) {
+  json result{{"method", c.method},
+              {"taps", c.taps},
+              {"backend", c.device.backend},
+              {"surface", c.device.surface},
+              {"device", c.device.name},
+              {"driver", c.device.driver},
+              {"bytes", c.bytes},
+              {"triangles", c.triangles},
+              {"errors", to_json(c.verdict)},
+              {"command", c.command}};
+  result.update(to_json(c.timing));
+  return result;
+}
+
+json to_json(const Section& s) {
+  json result{{"scene", s.name},
+              {"path", s.path},
+              {"environment", s.environment},
+              {"width", s.width},
+              {"height", s.height},
+              {"samples", s.samples},
+              {"objects", s.objects},
+              {"measured", s.measured},
+              {"truth",
+               {{"samples", s.truth_samples},
+                {"relative_error", s.truth_error},
+                {"seconds", s.truth_seconds},
+                {"command", s.truth_command}}},
+              {"needs", s.needs},
+              {"cells", json::array()},
+              {"front", s.front}};
+  for (const Cell& cell : s.cells)
+    result["cells"].push_back(to_json(cell));
+  if (s.choice) result["choice"] = {{"cell", s.choice->index}, {"met", s.choice->met}};
+  return result;
+}
+
+} // namespace
+
+json to_json(const Report& report) {
+  json result{
+      {"groundglass", report.version}, {"command", report.command}, {"scenes", json::array()}};
+  if (report.limit.max_error) result["max_error"] = *report.limit.max_error;
+  if (report.limit.budget) result["budget_ms"] = *report.limit.budget;
+  for (const Section& section : report.sections)
+    result["scenes"].push_back(to_json(section));
+  return result;
+}
+
+std::string to_csv(const Report& report) {
+  std::string text =
+      "scene,method,backend,device,width,height,taps,ms_median,ms_low_quartile,"
+      "ms_high_quartile,ms_min,ms_max,frames,relmse,relmse_of_noise,rmse,signed_mean,"
+      "p99,psnr,flip,frame_relmse,frame_flip,pixels,bytes,triangles,on_front\n";
+  for (const Section& s : report.sections)
+    for (std::size_t i = 0; i < s.cells.size(); ++i) {
+      const Cell& c = s.cells[i];
+      const Spread& ms = c.timing.frame;
+      const image::Errors& e = c.verdict.objects;
+      const bool on_front = std::ranges::find(s.front, i) != s.front.end();
+      text += fmt::format("{},{},{},{},{},{},{},", csv_field(s.name), csv_field(c.method),
+                          csv_field(c.device.backend), csv_field(c.device.name), s.width, s.height,
+                          c.taps);
+      text += fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},", ms.median, ms.low_quartile,
+                          ms.high_quartile, ms.least, ms.most, ms.count);
+      text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},", e.relmse,
+                          e.noise ? e.noise->relmse : 0.0, e.rmse, e.signed_mean, e.p99, e.psnr,
+                          e.flip);
+      text += fmt::format("{:.6g},{:.6g},{},{},{},{}\n", c.verdict.frame.relmse,
+                          c.verdict.frame.flip, e.pixels, c.bytes, c.triangles, on_front ? 1 : 0);
+    }
+  return text;
+}
+
+} // namespace gg::report

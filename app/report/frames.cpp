@@ -1,0 +1,192 @@
+#include "report/frames.h"
+
+#include "core/error.h"
+#include "core/progress.h"
+#include "environment/stack.h"
+#include "report/key.h"
+#include "report/timing.h"
+#include "report/truths.h"
+#include "truth/interrupt.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace gg::report {
+namespace {
+
+void stop_if_asked() {
+  if (truth::Interruptible::requested()) throw Interrupted{};
+}
+
+std::string today() {
+  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                     fmt::gmtime(std::chrono::system_clock::to_time_t(now)));
+}
+
+// One scene on one device: its environment, and a renderer for any method.
+class Stage {
+public:
+  Stage(gpu::Device& device, const Plan& plan, const Subject& subject, const Loaded& loaded)
+      : device_(device), plan_(plan), subject_(subject), loaded_(loaded) {
+    const std::size_t before = device.memory_bytes();
+    if (loaded.environment) stack_ = environment::build(device, *loaded.environment);
+    environment_bytes_ = device.memory_bytes() - before;
+  }
+
+  gpu::Device& device() const { return device_; }
+  std::size_t environment_bytes() const { return environment_bytes_; }
+
+  std::unique_ptr<frame::Renderer> renderer(const Method& method, int samples) const {
+    return std::make_unique<frame::Renderer>(
+        device_, loaded_.scene,
+        frame::FrameDesc{
+            .width = subject_.width,
+            .height = subject_.height,
+            .samples = samples,
+            .camera = loaded_.camera,
+            .environment = {stack_ ? &*stack_ : nullptr, loaded_.rotation, loaded_.intensity},
+            .method = method.method,
+            .correlated_smith = plan_.correlated_smith});
+  }
+
+private:
+  gpu::Device& device_;
+  const Plan& plan_;
+  const Subject& subject_;
+  const Loaded& loaded_;
+  std::optional<environment::Stack> stack_;
+  std::size_t environment_bytes_ = 0;
+};
+
+std::string picture_key(const Subject& subject, const Plan& plan, const DeviceFacts& device,
+                        const Method& method) {
+  Key key;
+  for (const std::string& text :
+       {subject.key, key_of_frame_program(), device.backend, device.surface, device.name,
+        device.driver, method.name, std::string(plan.correlated_smith ? "correlated" : "")})
+    key.add(text);
+  return key.add(plan.samples).text();
+}
+
+image::Image draw(const Stage& stage, const Plan& plan, const Method& method,
+                  const std::string& what) {
+  const auto renderer = stage.renderer(method, plan.samples);
+  Progress progress(what, plan.samples);
+  for (int i = 0; i < plan.samples; ++i) {
+    stop_if_asked();
+    renderer->draw_sample(i);
+    progress.update(i + 1);
+  }
+  return renderer->read();
+}
+
+// Fills in times, bytes and triangles of all cells.
+void time_all(const std::vector<std::unique_ptr<Stage>>& stages, const Plan& plan,
+              const std::string& what, std::vector<Cell>& cells) {
+  std::vector<std::unique_ptr<frame::Renderer>> renderers;
+  std::vector<Timed> timed;
+  for (const auto& stage : stages)
+    for (const Method& method : plan.methods) {
+      stop_if_asked();
+      const std::size_t before = stage->device().memory_bytes();
+      renderers.push_back(stage->renderer(method, 1));
+      Cell& cell = cells[timed.size()];
+      cell.bytes = stage->environment_bytes() + stage->device().memory_bytes() - before;
+      cell.triangles = renderers.back()->triangle_count();
+      timed.push_back({&stage->device(), renderers.back().get()});
+    }
+  Progress progress(what + ": timing", plan.frames);
+  const std::vector<Timing> timings = time_in_turn(timed, plan.frames, [&](int round) {
+    stop_if_asked();
+    progress.update(round);
+  });
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    cells[i].timing = timings[i];
+}
+
+nlohmann::json times_of(const std::vector<Cell>& cells, const std::string& measured) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Cell& cell : cells) {
+    nlohmann::json one = to_json(cell.timing);
+    one["bytes"] = cell.bytes;
+    one["triangles"] = cell.triangles;
+    list.push_back(std::move(one));
+  }
+  return {{"measured", measured}, {"cells", std::move(list)}};
+}
+
+// True if the cache has them all.
+bool take_times(const std::optional<nlohmann::json>& times, Drawn& result) {
+  if (times) try {
+      const auto& list = times->at("cells");
+      std::vector<Cell> cells = result.cells;
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        cells[i].timing = timing_from(list.at(i));
+        cells[i].bytes = list.at(i).at("bytes");
+        cells[i].triangles = list.at(i).at("triangles");
+      }
+      result.measured = times->at("measured");
+      result.cells = std::move(cells);
+      return true;
+    } catch (const nlohmann::json::exception&) {
+    }
+  return false;
+}
+
+} // namespace
+
+gpu::Device& Devices::at(std::size_t i) {
+  if (!open_[i]) open_[i] = plan_.devices[i].second();
+  return *open_[i];
+}
+
+Drawn drawn(const Subject& subject, const Plan& plan, const Cache& cache, Devices& devices,
+            const std::function<const Loaded&()>& loaded) {
+  Drawn result;
+  Key all;
+  for (std::size_t d = 0; d < devices.count(); ++d) {
+    const gpu::DeviceInfo& info = devices.at(d).info();
+    for (const Method& method : plan.methods) {
+      result.cells.push_back({.method = method.name,
+                              .taps = method.taps,
+                              .device = {info.backend, info.surface, info.name, info.driver}});
+      result.picture_keys.push_back(picture_key(subject, plan, result.cells.back().device, method));
+      all.add(result.picture_keys.back());
+    }
+  }
+  const std::string times_key = all.add(plan.frames).text();
+
+  std::vector<std::unique_ptr<Stage>> stages(devices.count());
+  const auto stage = [&](std::size_t d) -> const Stage& {
+    if (!stages[d]) stages[d] = std::make_unique<Stage>(devices.at(d), plan, subject, loaded());
+    return *stages[d];
+  };
+  for (std::size_t i = 0; i < result.cells.size(); ++i) {
+    const std::string& key = result.picture_keys[i];
+    if (cache.has("picture", key, "exr")) continue;
+    const Method& method = plan.methods[i % plan.methods.size()];
+    const std::string what =
+        fmt::format("{}: {} on {}", subject.name, method.name, result.cells[i].device.backend);
+    const image::Image picture = draw(stage(i / plan.methods.size()), plan, method, what);
+    if (const auto bad = image::find_non_finite(picture))
+      throw Error(ExitCode::internal, what,
+                  fmt::format("drew {} in pixel ({}, {})", bad->value, bad->x, bad->y),
+                  "Please report it with the scene.");
+    image::write(cache.path("picture", key, "exr"), picture);
+    ++result.pictures;
+  }
+  if (!take_times(cache.json("times", times_key), result)) {
+    for (std::size_t d = 0; d < devices.count(); ++d)
+      stage(d);
+    time_all(stages, plan, subject.name, result.cells);
+    result.measured = today();
+    result.timed = true;
+    cache.store("times", times_key, times_of(result.cells, result.measured));
+  }
+  return result;
+}
+
+} // namespace gg::report

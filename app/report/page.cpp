@@ -1,0 +1,188 @@
+#include "report/page.h"
+
+#include "core/files.h"
+#include "image/heat_map.h"
+#include "report/plot.h"
+#include "report/tables.h"
+#include "report/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gg::report {
+namespace {
+
+std::string paragraph(const std::string& text, const char* of = "") {
+  return text.empty() ? "" : fmt::format("<p class=\"{}\">{}</p>\n", of, text);
+}
+
+// The pictures to choose from: each method's on the first backend; the others draw the same.
+std::vector<const Cell*> pictured(const Section& section) {
+  std::vector<const Cell*> cells;
+  for (const Cell& cell : section.cells)
+    if (!cell.picture.empty()) cells.push_back(&cell);
+  return cells;
+}
+
+std::string image_tag(const Section& s, const std::string& uri, const std::string& attributes,
+                      const std::string& alternative) {
+  return fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" {} alt=\"{}\">\n", uri, s.width,
+                     s.height, attributes, escaped(alternative));
+}
+
+std::string compared(const Section& s, std::size_t number) {
+  const std::vector<const Cell*> cells = pictured(s);
+  if (cells.empty()) return {};
+  // Begins with the most accurate.
+  const Cell* const first = *std::ranges::min_element(
+      cells, {}, [](const Cell* cell) { return cell->verdict.objects.relmse; });
+  std::string html = "<figure class=\"compare\">\n<div class=\"stack\">\n";
+  html += image_tag(s, s.truth, "", "the truth");
+  std::string picks;
+  for (const Cell* cell : cells) {
+    const std::string name = escaped(cell->method);
+    const auto over = [&](const char* kind, const std::string& uri, bool shown) {
+      return image_tag(s, uri,
+                       fmt::format("class=\"over\" data-method=\"{}\" data-kind=\"{}\"{}", name,
+                                   kind, shown ? "" : " hidden"),
+                       std::string(kind) + " of " + cell->method);
+    };
+    html += over("picture", cell->picture, cell == first) + over("flip", cell->flip, false);
+    picks += fmt::format("<label><input type=\"radio\" name=\"method{}\" data-method=\"{}\"{}> "
+                         "{}</label>\n",
+                         number, name, cell == first ? " checked" : "", name);
+  }
+  html += fmt::format("<span class=\"tag left\">truth</span><span class=\"tag right\">{}</span>\n"
+                      "</div>\n<input type=\"range\" min=\"0\" max=\"100\" step=\"0.1\" "
+                      "value=\"50\" aria-label=\"truth to the left, method to the right\">\n",
+                      escaped(first->method));
+  html += "<fieldset class=\"pick\">\n" + picks + "</fieldset>\n";
+  html +=
+      fmt::format("<fieldset class=\"pick\">\n<label><input type=\"radio\" name=\"kind{0}\" "
+                  "data-kind=\"picture\" checked> picture</label>\n<label><input type=\"radio\" "
+                  "name=\"kind{0}\" data-kind=\"flip\"> FLIP map</label>\n</fieldset>\n",
+                  number);
+  return html + "</figure>\n";
+}
+
+// The colours of the FLIP maps.
+std::string scale() {
+  std::string stops;
+  constexpr int count = 16;
+  for (int i = 0; i <= count; ++i) {
+    const auto rgb = image::heat_colour(static_cast<double>(i) / count);
+    stops += fmt::format("{}rgb({:.0f} {:.0f} {:.0f})", i ? ", " : "", 255.0f * rgb[0],
+                         255.0f * rgb[1], 255.0f * rgb[2]);
+  }
+  return fmt::format(
+      "<div class=\"scale\" style=\"background: linear-gradient(to right, {})\"></div>\n"
+      "<p class=\"quiet\"><span>FLIP 0: no difference seen</span><span>1</span></p>\n",
+      stops);
+}
+
+std::string facts(const Section& s) {
+  std::string text = fmt::format("{} · {} object{}, {} triangles · {} x {} · environment: {}",
+                                 escaped(s.path), s.objects, s.objects == 1 ? "" : "s",
+                                 s.cells.empty() ? 0 : s.cells.front().triangles, s.width, s.height,
+                                 escaped(s.environment));
+  return paragraph(text, "quiet")
+         + paragraph(fmt::format("Truth: {} samples per pixel, relative error {:.2g} %, {:.0f} s. "
+                                 "Pictures: {} samples per pixel. Times: {} frames of one sample "
+                                 "per pixel each, methods in turn, {}.",
+                                 s.truth_samples, 100.0 * s.truth_error, s.truth_seconds, s.samples,
+                                 s.cells.empty() ? 0 : s.cells.front().timing.frame.count,
+                                 escaped(s.measured)),
+                     "quiet");
+}
+
+// What a reader must know before believing the numbers.
+std::string remarks(const Section& s) {
+  std::string names;
+  for (const Cell& cell : s.cells)
+    if (image::noise_dominates(cell.verdict.objects))
+      names += (names.empty() ? "" : ", ") + cell_name(s, cell);
+  return paragraph(
+      names.empty() ? ""
+                    : fmt::format("More than half of the relMSE is the truth's own noise for: {}. "
+                                  "For more, ask for a truth of more samples.",
+                                  escaped(names)));
+}
+
+std::string needs(const Section& s) {
+  if (s.needs.empty()) return {};
+  std::string lines;
+  for (const std::string& line : s.needs)
+    lines += escaped(line) + "\n";
+  return "<h3>What the scene needs</h3>\n<pre>" + lines + "</pre>\n";
+}
+
+std::string commands(const Section& s) {
+  std::string lines = escaped(s.truth_command) + "\n";
+  for (const Cell& cell : s.cells)
+    lines += escaped(cell.command) + "\n";
+  return "<h3>Commands</h3>\n<pre>" + lines + "</pre>\n";
+}
+
+std::string section_of(const Section& s, const Limit& limit, std::size_t number) {
+  std::string html =
+      fmt::format("<section id=\"{0}\">\n<h2>{0}</h2>\n", escaped(s.name)) + facts(s);
+  if (s.choice)
+    html += paragraph("To use: " + escaped(choice_text(s, limit)),
+                      s.choice->met ? "choice" : "choice unmet");
+  html += "<div class=\"side\">\n<div>\n" + compared(s, number) + scale() + "</div>\n<div>\n"
+          + plot(s, limit) + "</div>\n</div>\n";
+  html += results_table(s) + remarks(s);
+  const auto titled = [&](const char* title, const std::string& table) {
+    if (!table.empty()) html += fmt::format("<h3>{}</h3>\n{}", title, table);
+  };
+  titled("relMSE by material", groups_table(s, Grouping::material));
+  titled("relMSE by roughness", groups_table(s, Grouping::roughness));
+  titled("Milliseconds per pass", passes_table(s));
+  return html + needs(s) + commands(s) + "</section>\n";
+}
+
+std::string devices(const Report& report) {
+  std::vector<std::string> lines;
+  for (const Section& s : report.sections)
+    for (const Cell& cell : s.cells) {
+      const DeviceFacts& d = cell.device;
+      const std::string line =
+          fmt::format("{} by {}: {}, {}", d.backend, d.surface, d.name, d.driver);
+      if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line);
+    }
+  std::string html;
+  for (const std::string& line : lines)
+    html += paragraph(escaped(line), "quiet");
+  return html;
+}
+
+constexpr const char* reading = "relMSE is the mean of (x - r)² / (r² + 0.01) over RGB, in linear "
+                                "light, over the pixels that shaded "
+                                "objects cover wholly (unlit ones are the same in every method); "
+                                "so are signed mean (x - r) and p99 of "
+                                "|x - r|. FLIP and PSNR are of the displayed picture: clamped, "
+                                "sRGB, 67 pixels per degree. Left of the "
+                                "line is the truth, right of it the method.";
+
+} // namespace
+
+std::string page(const Report& report) {
+  const std::filesystem::path assets = home_directory() / "assets/report";
+  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                     "<title>Groundglass: speed against error</title>\n<style>\n"
+                     + read_text(assets / "style.css")
+                     + "</style>\n</head>\n<body>\n"
+                       "<h1>Speed against error</h1>\n";
+  html += devices(report) + paragraph(reading, "quiet") + summary_table(report);
+  for (std::size_t i = 0; i < report.sections.size(); ++i)
+    html += section_of(report.sections[i], report.limit, i);
+  html +=
+      fmt::format("<h3>This report</h3>\n<pre>{}</pre>\n<p class=\"quiet\">Groundglass {}</p>\n",
+                  escaped(report.command), escaped(report.version));
+  return html + "<script>\n" + read_text(assets / "script.js") + "</script>\n</body>\n</html>\n";
+}
+
+} // namespace gg::report

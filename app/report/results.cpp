@@ -1,0 +1,133 @@
+#include "report/results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gg::report {
+namespace {
+
+using nlohmann::json;
+
+double quantile(const std::vector<double>& sorted, double fraction) {
+  const double at = fraction * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], at - std::floor(at));
+}
+
+json to_json(const std::vector<Group>& groups) {
+  json list = json::array();
+  for (const Group& g : groups)
+    list.push_back({{"name", g.name},
+                    {"pixels", g.pixels},
+                    {"relmse", g.relmse},
+                    {"signed_mean", g.signed_mean},
+                    {"flip", g.flip},
+                    {"noise", g.noise}});
+  return list;
+}
+
+std::vector<Group> groups_from(const json& list) {
+  std::vector<Group> groups;
+  for (const json& g : list)
+    groups.push_back({g.at("name"), g.at("pixels"), g.at("relmse"), g.at("signed_mean"),
+                      g.at("flip"), g.at("noise")});
+  return groups;
+}
+
+image::Errors errors_from(const json& value) {
+  image::Errors e{.pixels = value.at("pixels"),
+                  .relmse = value.at("relmse"),
+                  .rmse = value.at("rmse"),
+                  .signed_mean = value.at("signed_mean"),
+                  .reference_mean = value.at("reference_mean"),
+                  .p99 = value.at("p99"),
+                  .psnr = std::numeric_limits<double>::infinity(),
+                  .flip = value.at("flip")};
+  if (!value.at("psnr").is_null()) e.psnr = value.at("psnr");
+  if (const auto n = value.find("noise"); n != value.end())
+    e.noise = image::Noise{.relmse = n->at("relmse"),
+                           .rmse = n->at("rmse"),
+                           .signed_mean = n->at("signed_mean"),
+                           .pixels_within = n->at("pixels_within"),
+                           .of_reference = n->at("of_reference"),
+                           .of_test = n->at("of_test")};
+  return e;
+}
+
+} // namespace
+
+Spread spread_of(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::ranges::sort(values);
+  return {quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75),
+          values.front(),        values.back(),          values.size()};
+}
+
+std::vector<Point> points_of(const std::vector<Cell>& cells) {
+  std::vector<Point> points;
+  for (const Cell& cell : cells)
+    points.push_back({cell.timing.frame.median, cell.verdict.objects.relmse});
+  return points;
+}
+
+json to_json(const Timing& timing) {
+  json passes = json::array();
+  for (const auto& [label, ms] : timing.passes)
+    passes.push_back({{"pass", label}, {"ms", ms}});
+  const Spread& f = timing.frame;
+  return {{"ms",
+           {{"median", f.median},
+            {"low_quartile", f.low_quartile},
+            {"high_quartile", f.high_quartile},
+            {"min", f.least},
+            {"max", f.most},
+            {"frames", f.count}}},
+          {"passes", passes}};
+}
+
+Timing timing_from(const json& value) {
+  const json& ms = value.at("ms");
+  Timing timing{.frame = {ms.at("median"), ms.at("low_quartile"), ms.at("high_quartile"),
+                          ms.at("min"), ms.at("max"), ms.at("frames")}};
+  for (const json& pass : value.at("passes"))
+    timing.passes.emplace_back(pass.at("pass"), pass.at("ms"));
+  return timing;
+}
+
+json to_json(const image::Errors& e) {
+  json result{{"pixels", e.pixels},
+              {"relmse", e.relmse},
+              {"rmse", e.rmse},
+              {"signed_mean", e.signed_mean},
+              {"reference_mean", e.reference_mean},
+              {"p99", e.p99},
+              {"psnr", std::isfinite(e.psnr) ? json(e.psnr) : json()}, // null: equal
+              {"flip", e.flip}};
+  if (e.noise)
+    result["noise"] = {{"relmse", e.noise->relmse},
+                       {"rmse", e.noise->rmse},
+                       {"signed_mean", e.noise->signed_mean},
+                       {"pixels_within", e.noise->pixels_within},
+                       {"of_reference", e.noise->of_reference},
+                       {"of_test", e.noise->of_test},
+                       {"dominates", image::noise_dominates(e)}};
+  return result;
+}
+
+json to_json(const Verdict& v) {
+  return {{"objects", to_json(v.objects)},
+          {"frame", to_json(v.frame)},
+          {"by_class", to_json(v.by_class)},
+          {"by_roughness", to_json(v.by_roughness)}};
+}
+
+Verdict verdict_from(const json& value) {
+  return {.objects = errors_from(value.at("objects")),
+          .frame = errors_from(value.at("frame")),
+          .by_class = groups_from(value.at("by_class")),
+          .by_roughness = groups_from(value.at("by_roughness"))};
+}
+
+} // namespace gg::report

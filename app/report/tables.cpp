@@ -1,0 +1,147 @@
+#include "report/tables.h"
+
+#include "report/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace gg::report {
+namespace {
+
+std::string td(const std::string& text, bool best = false) {
+  return (best ? "<td class=\"best\">" : "<td>") + text + "</td>";
+}
+
+std::string table(const std::string& head, const std::string& rows) {
+  return "<div class=\"scroll\"><table>\n<thead><tr>" + head + "</tr></thead>\n<tbody>\n" + rows
+         + "</tbody></table></div>\n";
+}
+
+std::string head(const std::vector<std::string>& names) {
+  std::string cells;
+  for (const std::string& name : names)
+    cells += "<th>" + escaped(name) + "</th>";
+  return cells;
+}
+
+std::vector<std::string> column_names(const Section& section, const std::string& first) {
+  std::vector<std::string> names{first};
+  for (const Cell& cell : section.cells)
+    names.push_back(cell_name(section, cell));
+  return names;
+}
+
+} // namespace
+
+std::string cell_name(const Section& section, const Cell& cell) {
+  const bool several = std::ranges::any_of(section.cells, [&](const Cell& other) {
+    return other.device.backend != cell.device.backend;
+  });
+  return several ? cell.method + " on " + cell.device.backend : cell.method;
+}
+
+std::string choice_text(const Section& section, const Limit& limit) {
+  if (!section.choice) return {};
+  const Cell& cell = section.cells[section.choice->index];
+  const std::string is = fmt::format("{}: {:.3g} ms, relMSE {:.3g}", cell_name(section, cell),
+                                     cell.timing.frame.median, cell.verdict.objects.relmse);
+  if (limit.max_error)
+    return section.choice->met
+               ? fmt::format("{} (the fastest with a relMSE of at most {:g})", is, *limit.max_error)
+               : fmt::format("no method has a relMSE of at most {:g}; the nearest is {}",
+                             *limit.max_error, is);
+  return section.choice->met
+             ? fmt::format("{} (the most accurate within {:g} ms)", is, *limit.budget)
+             : fmt::format("no method takes at most {:g} ms; the nearest is {}", *limit.budget, is);
+}
+
+std::string results_table(const Section& section) {
+  std::string rows;
+  for (std::size_t i = 0; i < section.cells.size(); ++i) {
+    const Cell& cell = section.cells[i];
+    const Spread& ms = cell.timing.frame;
+    const image::Errors& e = cell.verdict.objects;
+    const bool chosen = section.choice && section.choice->index == i;
+    const bool front = std::ranges::find(section.front, i) != section.front.end();
+    rows += chosen ? "<tr class=\"chosen\">" : "<tr>";
+    rows += td(escaped(cell_name(section, cell))) + td(fmt::format("{:.2f}", ms.median))
+            + td(fmt::format("{:.2f} – {:.2f}", ms.low_quartile, ms.high_quartile))
+            + td(fmt::format("{:.2f} – {:.2f}", ms.least, ms.most))
+            + td(fmt::format("{:.3g}", e.relmse)) + td(fmt::format("{:.4f}", e.flip))
+            + td(std::isfinite(e.psnr) ? fmt::format("{:.1f}", e.psnr) : "equal")
+            + td(fmt::format("{:+.2g}", e.signed_mean)) + td(fmt::format("{:.3g}", e.p99))
+            + td(fmt::format("{:.1f}", static_cast<double>(cell.bytes) / (1024.0 * 1024.0)))
+            + td(std::to_string(cell.taps)) + td(front ? "on the front" : "") + "</tr>\n";
+  }
+  return table(head({"method", "ms", "quartiles", "least – most", "relMSE", "FLIP", "PSNR dB",
+                     "signed mean", "p99", "MiB", "taps", "Pareto"}),
+               rows);
+}
+
+std::string groups_table(const Section& section, Grouping grouping) {
+  const auto groups_of = [&](const Cell& cell) -> const std::vector<Group>& {
+    return grouping == Grouping::material ? cell.verdict.by_class : cell.verdict.by_roughness;
+  };
+  if (section.cells.empty() || groups_of(section.cells.front()).empty()) return {};
+  std::string rows;
+  for (std::size_t g = 0; g < groups_of(section.cells.front()).size(); ++g) {
+    const Group& first = groups_of(section.cells.front())[g];
+    double least = INFINITY;
+    for (const Cell& cell : section.cells)
+      least = std::min(least, groups_of(cell)[g].relmse);
+    rows += "<tr>" + td(escaped(first.name));
+    for (const Cell& cell : section.cells) {
+      const Group& group = groups_of(cell)[g];
+      rows += td(fmt::format("{:.3g}", group.relmse), group.relmse <= least);
+    }
+    rows += td(fmt::format("{:.2g}", first.noise)) + td(std::to_string(first.pixels)) + "</tr>\n";
+  }
+  std::vector<std::string> names =
+      column_names(section, grouping == Grouping::material ? "material" : "alpha");
+  names.insert(names.end(), {"of it noise", "pixels"});
+  return table(head(names), rows);
+}
+
+std::string passes_table(const Section& section) {
+  std::vector<std::string> labels; // of all methods, in the order of the frame
+  for (const Cell& cell : section.cells)
+    for (const auto& [label, ms] : cell.timing.passes)
+      if (std::ranges::find(labels, label) == labels.end()) labels.push_back(label);
+  std::string rows;
+  for (const std::string& label : labels) {
+    rows += "<tr>" + td(escaped(label));
+    for (const Cell& cell : section.cells) {
+      const auto found =
+          std::ranges::find(cell.timing.passes, label, &std::pair<std::string, double>::first);
+      rows += td(found == cell.timing.passes.end() ? "" : fmt::format("{:.2f}", found->second));
+    }
+    rows += "</tr>\n";
+  }
+  return table(head(column_names(section, "pass, ms")), rows);
+}
+
+std::string summary_table(const Report& report) {
+  std::string rows;
+  for (const Section& s : report.sections) {
+    if (s.front.empty()) continue;
+    const auto cell = [&](std::size_t i) {
+      const Cell& c = s.cells[i];
+      return td(fmt::format("{}: {:.3g} ms, {:.3g}", escaped(cell_name(s, c)),
+                            c.timing.frame.median, c.verdict.objects.relmse));
+    };
+    rows += "<tr>" + td(fmt::format("<a href=\"#{0}\">{0}</a>", escaped(s.name)))
+            + cell(s.front.front()) + cell(s.front.back());
+    if (report.limit.asked())
+      rows += s.choice ? cell(s.choice->index) + td(s.choice->met ? "" : "not within the limit")
+                       : td("") + td("");
+    rows += "</tr>\n";
+  }
+  std::vector<std::string> names{"scene", "fastest: ms, relMSE", "most accurate"};
+  if (report.limit.asked()) names.insert(names.end(), {"to use", ""});
+  return table(head(names), rows);
+}
+
+} // namespace gg::report

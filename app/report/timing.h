@@ -1,0 +1,29 @@
+// How long frames take, measured so that methods can be compared.
+#pragma once
+
+#include "frame/renderer.h"
+#include "report/results.h"
+
+#include <functional>
+#include <vector>
+
+namespace gg::report {
+
+struct Timed {
+  gpu::Device* device = nullptr;
+  frame::Renderer* renderer = nullptr;
+};
+
+// Times `frames` frames of each, after a warm-up: in rounds of one frame each, in an order that
+// turns from round to round, so that whatever else the machine does hurts all alike. Slow scenes
+// get fewer rounds (`least_rounds` at the least) once `patience_ms` is used up. `progress` is told
+// the rounds done after each; it throws to stop.
+std::vector<Timing> time_in_turn(const std::vector<Timed>& timed, int frames,
+                                 const std::function<void(int)>& progress);
+
+inline constexpr int warm_up_rounds = 3; // until caches and clocks have settled
+// A median of five is still one of the three middle values when one in five is disturbed.
+inline constexpr int least_rounds = 5;
+inline constexpr double patience_ms = 90'000.0;
+
+} // namespace gg::report

@@ -1,0 +1,167 @@
+// The writers: what they are given comes out whole, whatever characters are in it.
+#include "report/page.h"
+
+#include "report/exports.h"
+#include "report/plot.h"
+#include "report/text.h"
+#include "report/webp.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+namespace gg::report {
+namespace {
+
+Cell cell(const std::string& method, const std::string& backend, double ms, double error) {
+  Cell c{.method = method,
+         .taps = 1,
+         .device = {backend, "surface", "device, with a comma", "driver"},
+         .bytes = 1 << 20,
+         .triangles = 12,
+         .timing = {.frame = {ms, 0.9 * ms, 1.1 * ms, 0.8 * ms, 2.0 * ms, 10},
+                    .passes = {{"opaque", 0.7 * ms}}},
+         .verdict = {.by_class = {{"metal", 40, error, 0.01, 0.1, 0.001}},
+                     .by_roughness = {{"to .1", 40, error, 0.01, 0.1, 0.001}}},
+         .picture = "data:image/webp;base64,QUJD",
+         .flip = "data:image/webp;base64,QUJE",
+         .command = "groundglass capture 'a <scene>.glb'"};
+  c.verdict.objects.relmse = error;
+  c.verdict.objects.psnr = 30.0;
+  c.verdict.frame = c.verdict.objects;
+  return c;
+}
+
+Report report() {
+  Section s{.name = "a <b> \"c\"",
+            .path = "a <b>.glb",
+            .environment = "sky.hdr",
+            .width = 64,
+            .height = 48,
+            .samples = 4,
+            .truth = "data:image/webp;base64,QUJF",
+            .cells = {cell("standard", "opengl", 2.0, 0.5), cell("lobes2", "opengl", 4.0, 0.01),
+                      cell("standard", "vulkan", 3.0, 0.5)}};
+  s.front = pareto_front(points_of(s.cells));
+  s.choice = choose(points_of(s.cells), {.max_error = 0.1});
+  return {.version = "0",
+          .command = "groundglass report",
+          .limit = {.max_error = 0.1},
+          .sections = {s}};
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++n;
+  return n;
+}
+
+} // namespace
+
+TEST(page, escapes_what_would_be_markup) {
+  EXPECT_EQ(escaped("<a href='x'>&\"</a>"), "&lt;a href=&#39;x&#39;&gt;&amp;&quot;&lt;/a&gt;");
+  const std::string html = page(report());
+  EXPECT_EQ(html.find("a <b>"), std::string::npos);
+  EXPECT_NE(html.find("a &lt;b&gt; &quot;c&quot;"), std::string::npos);
+}
+
+TEST(page, refers_to_nothing_outside_itself) {
+  const std::string html = page(report());
+  for (const char* part : {"http:", "https:", "src=\"/", "@import", "url("})
+    EXPECT_EQ(html.find(part), std::string::npos) << part;
+  EXPECT_EQ(count(html, "<img"), count(html, "src=\"data:image/webp;base64,"));
+  EXPECT_EQ(count(html, "<script"), 1u);
+}
+
+TEST(page, shows_every_method_and_names_the_choice) {
+  const std::string html = page(report());
+  for (const char* part :
+       {"standard on opengl", "lobes2 on opengl", "standard on vulkan",
+        "the fastest with a relMSE of at most 0.1", "on the front", "metal", "to .1", "opaque"})
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+}
+
+TEST(page, of_a_report_of_nothing_is_a_page) {
+  EXPECT_NE(page({}).find("</html>"), std::string::npos);
+}
+
+TEST(plot, has_a_point_and_an_error_bar_per_cell_and_the_front) {
+  const Report r = report();
+  const std::string svg = plot(r.sections.front(), r.limit);
+  EXPECT_EQ(count(svg, "<title>"), 3u);
+  EXPECT_EQ(count(svg, "class=\"front\""), 1u);
+  EXPECT_EQ(count(svg, "--max-error"), 1u);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(plot, of_equal_pictures_and_of_one_point_has_finite_axes) {
+  Report r = report();
+  r.sections.front().cells = {cell("standard", "opengl", 0.0, 0.0)};
+  r.sections.front().front = {0};
+  const std::string svg = plot(r.sections.front(), r.limit);
+  EXPECT_EQ(svg.find("nan"), std::string::npos) << svg;
+  EXPECT_EQ(svg.find("inf"), std::string::npos) << svg;
+}
+
+TEST(plot, ticks_are_round_few_and_inside) {
+  EXPECT_EQ(log_ticks(0.8, 25.0), (std::vector<double>{1, 2, 5, 10, 20}));
+  for (const auto& [low, high] : {std::pair{1e-9, 1e3}, {1e-3, 1.0}, {0.5, 2.0}}) {
+    const std::vector<double> ticks = log_ticks(low, high);
+    EXPECT_GE(ticks.size(), 2u);
+    EXPECT_LE(ticks.size(), 8u);
+    for (const double t : ticks)
+      EXPECT_TRUE(t >= low && t <= high) << t;
+  }
+}
+
+TEST(exports, csv_has_as_many_fields_in_every_line_as_names) {
+  EXPECT_EQ(csv_field("a,\"b\""), "\"a,\"\"b\"\"\"");
+  EXPECT_EQ(csv_field("plain"), "plain");
+  std::istringstream lines(to_csv(report()));
+  std::string names, line;
+  std::getline(lines, names);
+  std::size_t read = 0;
+  for (; std::getline(lines, line); ++read) {
+    bool quoted = false;
+    std::size_t commas = 0;
+    for (const char ch : line) {
+      if (ch == '"') quoted = !quoted;
+      commas += ch == ',' && !quoted;
+    }
+    EXPECT_EQ(commas, count(names, ",")) << line;
+  }
+  EXPECT_EQ(read, 3u);
+}
+
+TEST(exports, json_has_every_number_and_verdicts_survive_it_exactly) {
+  const auto json = to_json(report());
+  const auto& first = json.at("scenes").at(0).at("cells").at(0);
+  EXPECT_EQ(first.at("ms").at("median"), 2.0);
+  EXPECT_EQ(first.at("passes").at(0).at("pass"), "opaque");
+  EXPECT_EQ(json.at("scenes").at(0).at("choice").at("cell"), 1);
+  const Verdict v = report().sections.front().cells.front().verdict;
+  EXPECT_EQ(to_json(verdict_from(to_json(v))), to_json(v));
+  Verdict equal = v; // an infinite PSNR has no number in JSON
+  equal.objects.psnr = INFINITY;
+  EXPECT_TRUE(std::isinf(verdict_from(to_json(equal)).objects.psnr));
+}
+
+TEST(pictures, are_encoded_without_loss_and_as_base64) {
+  EXPECT_EQ(data_uri({std::byte{'A'}}), "data:image/webp;base64,QQ==");
+  EXPECT_EQ(data_uri({std::byte{'A'}, std::byte{'B'}, std::byte{'C'}, std::byte{'D'}}),
+            "data:image/webp;base64,QUJDRA==");
+  image::Image picture(5, 3, 3);
+  for (std::size_t i = 0; i < picture.values.size(); ++i)
+    picture.values[i] = static_cast<float>(i * 5) / 255.0f;
+  const auto bytes = webp_of(picture);
+  const image::Image8 back = image::decode(bytes.data(), bytes.size(), "picture");
+  for (std::size_t pixel = 0; pixel < 15; ++pixel)
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_EQ(back.rgba[4 * pixel + c], (3 * pixel + c) * 5);
+}
+
+} // namespace gg::report
