@@ -1,0 +1,217 @@
+// What is needed for what: the pure function, without a device.
+#include "core/files.h"
+#include "needs/needs.h"
+#include "render/shapes.h"
+#include "scene/load.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace gg::test {
+namespace {
+
+using needs::Feature;
+using needs::Method;
+using needs::Needs;
+using needs::View;
+
+using Labels = std::vector<std::string>;
+
+View view(Method method = Method::lobes2) {
+  return {.camera = camera_at({0, 0, 6}),
+          .width = 64,
+          .height = 64,
+          .samples = 1,
+          .method = method,
+          .environment = 0};
+}
+
+Labels labels(const Needs& needs) {
+  Labels all;
+  for (const needs::Pass& pass : needs.passes)
+    if (pass.kind != needs::PassKind::pyramid || pass.part == 1) all.push_back(pass.label);
+  return all;
+}
+
+bool has_table(const Needs& needs, const std::string& stem) {
+  return std::ranges::any_of(needs.tables,
+                             [&](const needs::Table& t) { return t.file.starts_with(stem); });
+}
+
+glm::mat4 at(const glm::vec3& place) {
+  return glm::translate(glm::mat4(1.0f), place);
+}
+
+scene::Material thin(scene::Material material) {
+  material.thickness = 0.0f;
+  return material;
+}
+
+// An image of one pixel for `slot` of a square with this material.
+scene::Scene square_with_map(scene::Material material, scene::Slot scene::Material::*slot) {
+  (material.*slot).texture = 0;
+  scene::Scene scene = square(material);
+  scene.images = {std::make_shared<image::Image8>(
+      image::Image8{.width = 1, .height = 1, .rgba = {9, 9, 9, 9}})};
+  scene.textures = {{.image = 0}};
+  return scene;
+}
+
+} // namespace
+
+TEST(needs, an_opaque_scene_has_one_pass) {
+  const scene::Scene scene = ball(dielectric(0.5f));
+  const Needs needs = needs::needs_of(scene, view());
+  EXPECT_EQ(labels(needs), Labels{"opaque"});
+  EXPECT_EQ(needs.targets.size(), 2u);
+  EXPECT_FALSE(has_table(needs, "interface"));
+  EXPECT_EQ(needs.lookups.refracted, 0);
+}
+
+TEST(needs, an_unlit_scene_reads_no_table) {
+  EXPECT_TRUE(needs::needs_of(ball(unlit(glm::vec3(1.0f))), view()).tables.empty());
+}
+
+TEST(needs, a_wall_without_inside_has_no_interior) {
+  const scene::Scene scene = square(thin(glass(0.3f)));
+  const Needs needs = needs::needs_of(scene, view());
+  EXPECT_EQ(labels(needs), (Labels{"opaque", "backdrop", "pyramid", "refractive"}));
+  EXPECT_EQ(needs.target("interior"), nullptr);
+  EXPECT_TRUE(has_table(needs, "interface"));
+}
+
+TEST(needs, a_convex_solid_takes_one_pair_of_faces_and_others_two) {
+  const scene::Scene scene = box(glass(0.3f));
+  const Needs convex = needs::needs_of(scene, view());
+  EXPECT_EQ(labels(convex),
+            (Labels{"opaque", "backdrop", "pyramid", "interior F1", "interior B1", "refractive"}));
+  EXPECT_EQ(convex.target("interior")->layers, 2);
+
+  scene::Scene head = scene::load(home_directory() / "assets/scenes/Suzanne/Suzanne.gltf");
+  head.materials[0] = glass(0.3f);
+  const Needs concave = needs::needs_of(head, view());
+  EXPECT_EQ(labels(concave), (Labels{"opaque", "backdrop", "pyramid", "interior F1", "interior B1",
+                                     "interior F2", "interior B2", "refractive"}));
+  EXPECT_EQ(concave.target("interior")->layers, 4);
+}
+
+TEST(needs, index_one_takes_no_tables_and_an_inside_only_where_it_absorbs) {
+  scene::Material clear = glass(0.3f, 1.0f);
+  EXPECT_EQ(labels(needs::needs_of(ball(clear), view())), Labels{"opaque"}) << "cannot be seen";
+
+  clear.base_color = glm::vec4(0.5f, 1.0f, 1.0f, 1.0f);
+  const scene::Scene tinted_ball = ball(clear);
+  const Needs tinted = needs::needs_of(tinted_ball, view());
+  EXPECT_EQ(labels(tinted), (Labels{"opaque", "backdrop", "refractive"}));
+  EXPECT_TRUE(tinted.tables.empty());
+  EXPECT_EQ(tinted.target("screen pyramid")->levels, 1);
+
+  clear.attenuation_color = glm::vec3(0.5f);
+  clear.attenuation_distance = 1.0f;
+  const scene::Scene dark_ball = ball(clear);
+  const Needs dark = needs::needs_of(dark_ball, view());
+  EXPECT_EQ(labels(dark),
+            (Labels{"opaque", "backdrop", "interior F1", "interior B1", "refractive"}));
+  EXPECT_TRUE(dark.tables.empty());
+}
+
+TEST(needs, the_method_of_peers_takes_no_inside_and_no_tables_of_transmission) {
+  const scene::Scene scene = box(glass(0.3f));
+  const Needs needs = needs::needs_of(scene, view(Method::standard));
+  EXPECT_EQ(labels(needs), (Labels{"opaque", "backdrop", "pyramid", "refractive"}));
+  EXPECT_FALSE(has_table(needs, "interface"));
+  EXPECT_EQ(needs.lookups.refracted, 1);
+}
+
+TEST(needs, taps_are_those_of_the_method) {
+  const scene::Scene scene = box(glass(0.3f));
+  EXPECT_TRUE(has_table(needs::needs_of(scene, view(Method::lobes1)), "interface-lobes1-ggx"));
+  EXPECT_TRUE(has_table(needs::needs_of(scene, view(Method::lobes2)), "interface-lobes2-ggx"));
+  EXPECT_EQ(needs::needs_of(scene, view(Method::lobes1)).lookups.refracted, 1);
+  EXPECT_EQ(needs::needs_of(scene, view(Method::lobes2)).lookups.refracted, 2);
+}
+
+TEST(needs, only_what_shines_in_company_is_drawn_again_for_what_it_reflects) {
+  scene::Scene scene = ball(metal(0.2f));
+  EXPECT_EQ(labels(needs::needs_of(scene, view())), Labels{"opaque"}) << "alone";
+  add(scene, ball(dielectric(0.9f)), at({1.5f, 0, 0}));
+  const Needs needs = needs::needs_of(scene, view());
+  EXPECT_EQ(labels(needs), (Labels{"opaque", "backdrop", "pyramid", "reflective"}));
+  EXPECT_EQ(needs.reflective.size(), 1u);
+
+  scene::Scene dull = ball(dielectric(0.9f));
+  add(dull, ball(dielectric(0.9f)), at({1.5f, 0, 0}));
+  EXPECT_EQ(labels(needs::needs_of(dull, view())), Labels{"opaque"});
+}
+
+TEST(needs, glass_behind_glass_takes_two_layers_the_farther_one_first) {
+  scene::Scene scene = ball(glass(0.1f));
+  add(scene, ball(glass(0.1f)), at({0.5f, 0, -3}));
+  const Needs needs = needs::needs_of(scene, view());
+  ASSERT_EQ(needs.layers.size(), 2u);
+  EXPECT_GT(needs.layers[0].refractive[0].draw->distance,
+            needs.layers[1].refractive[0].draw->distance);
+  EXPECT_EQ(std::ranges::count(labels(needs), "refractive"), 2);
+}
+
+TEST(needs, glass_beside_glass_takes_one_layer) {
+  scene::Scene scene = ball(glass(0.1f));
+  scene.instances[0].world = at({-1.5f, 0, 0});
+  add(scene, ball(glass(0.1f)), at({1.5f, 0, 0}));
+  EXPECT_EQ(needs::needs_of(scene, view()).layers.size(), 1u);
+}
+
+TEST(needs, a_thin_wall_with_two_sides_is_two_things) {
+  scene::Material wall = thin(glass(0.1f));
+  wall.double_sided = true;
+  const scene::Scene scene = ball(wall);
+  const Needs needs = needs::needs_of(scene, view());
+  ASSERT_EQ(needs.layers.size(), 2u);
+  EXPECT_EQ(needs.layers[0].refractive[0].faces, needs::Faces::back);
+  EXPECT_EQ(needs.layers[1].refractive[0].faces, needs::Faces::front);
+}
+
+TEST(needs, what_stands_before_glass_is_its_foreground_and_what_stands_behind_is_not) {
+  scene::Scene scene = ball(glass(0.1f));
+  add(scene, square(unlit(glm::vec3(1.0f))), at({0.5f, 0, 2}));
+  add(scene, square(unlit(glm::vec3(1.0f))), at({0.5f, 0, -2}));
+  const Needs needs = needs::needs_of(scene, view());
+  ASSERT_EQ(needs.layers.size(), 1u);
+  ASSERT_EQ(needs.layers[0].foreground.size(), 1u);
+  EXPECT_EQ(needs.layers[0].foreground[0]->bounds.low.z, 2.0f);
+}
+
+TEST(needs, blended_surfaces_without_glass_behind_them_take_no_pass) {
+  scene::Material veil = dielectric(0.9f);
+  veil.alpha_mode = scene::AlphaMode::blend;
+  scene::Scene scene = ball(dielectric(0.9f));
+  add(scene, square(veil), at({0, 0, 2}));
+  const Needs needs = needs::needs_of(scene, view());
+  EXPECT_EQ(labels(needs), Labels{"opaque"});
+  EXPECT_EQ(needs.over_opaque.size(), 1u);
+}
+
+TEST(needs, a_map_that_cannot_matter_is_not_uploaded) {
+  scene::Material shiny = dielectric(0.0f); // scales a roughness and a metalness of 0
+  const auto maps = [](const scene::Scene& scene) {
+    return needs::needs_of(scene, view()).images.size();
+  };
+  EXPECT_EQ(maps(square_with_map(shiny, &scene::Material::metallic_roughness_map)), 0u);
+  EXPECT_EQ(maps(square_with_map(dielectric(0.5f), &scene::Material::metallic_roughness_map)), 1u);
+  EXPECT_EQ(maps(square_with_map(dielectric(0.5f), &scene::Material::emissive_map)), 0u);
+  EXPECT_EQ(maps(square_with_map(dielectric(0.5f), &scene::Material::thickness_map)), 0u);
+  EXPECT_EQ(maps(square_with_map(unlit(glm::vec3(1)), &scene::Material::occlusion_map)), 0u);
+  EXPECT_EQ(maps(square_with_map(unlit(glm::vec3(1)), &scene::Material::base_color_map)), 1u);
+}
+
+TEST(needs, every_table_that_is_listed_is_there) {
+  scene::Scene scene = box(glass(0.3f));
+  for (const Method method : {Method::standard, Method::lobes1, Method::lobes2})
+    for (const needs::Table& table : needs::needs_of(scene, view(method)).tables)
+      EXPECT_TRUE(std::filesystem::exists(home_directory() / "assets/tables" / table.file))
+          << table.file;
+}
+
+} // namespace gg::test
