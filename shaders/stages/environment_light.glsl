@@ -7,14 +7,6 @@
 layout(binding = 19) uniform sampler2D energyTable;
 layout(binding = 20) uniform sampler3D lobeTable;
 
-// The material's reflectance at an angle and at normal incidence; the diffuse base takes what the dielectric part leaves.
-vec3 materialFresnel(Surface s, float c) {
-    if (shading == 4) return fresnelConductorRgb(c, material.conductorN.xyz, material.conductorK.xyz);
-    if (shading == 2) return fresnelSchlickRgb(c, s.baseColor);
-    vec3 dielectric = dielectricFresnel(s, c);
-    return shading == 3 ? mix(dielectric, fresnelSchlickRgb(c, s.baseColor), s.metallic) : dielectric;
-}
-
 float meanOf(vec3 color) { return (color.x + color.y + color.z) / 3.0; }
 
 // The mean over the hemisphere of a lossless surface's albedo, 2 int E(c) c dc, by Gauss-Jacobi quadrature with two nodes
@@ -31,13 +23,13 @@ vec3 multiplyScattered(Surface s, float albedo, vec3 meanFresnel) {
     return metal * (1.0 - albedo) * multipleFresnelRgb(meanFresnel, meanAlbedo(s.alpha));
 }
 
-// What arrives along a tap of the reflection: with company, what the picture shows where the tap meets it.
-vec3 reflectedRadiance(Surface s, LobeTap tap) {
-    if (!looksAround) return farRadiance(tap.direction, tap.sigma);
+// What arrives along a reflected direction: with company, what the picture shows where it meets that.
+vec3 reflectedRadiance(Surface s, vec3 direction, float sigma) {
+    if (!looksAround) return farRadiance(direction, sigma);
     // The surface itself stands in the depth that is searched: begin two of its pixels off it.
     float pixel = (frame.eye.w > 0.0 ? length(s.position - frame.eye.xyz) : 1.0) / frame.picture.z;
-    Beam beam = straightBeam(s.position + 2.0 * pixel * (s.n + tap.direction), tap.direction, tap.sigma);
-    return beamRadiance(beam, meetBackdrop(beam.origin, tap.direction, false));
+    Beam beam = straightBeam(s.position + 2.0 * pixel * (s.n + direction), direction, sigma);
+    return beamRadiance(beam, meetBackdrop(beam.origin, direction, false));
 }
 
 // The reflection lobe: what arrives along the tap is seen times the weight. And all else that the surroundings make of the
@@ -78,5 +70,5 @@ EnvironmentLight environmentLobe(Surface s) {
 
 vec3 environmentLight(Surface s) {
     EnvironmentLight light = environmentLobe(s);
-    return light.diffuse + light.weight * reflectedRadiance(s, light.tap);
+    return light.diffuse + light.weight * reflectedRadiance(s, light.tap.direction, light.tap.sigma);
 }

@@ -30,6 +30,8 @@ struct GlassBeams {
     WeightedBeam rest;
     WeightedBeam bounced;  // leaves after total reflection
     WeightedBeam leftOver;
+    ExitSurface leaving; // where the first two leave, by which ray from within
+    vec3 inner;
     float within; // metres to something opaque inside that ends the core; negative: none
 };
 
@@ -39,7 +41,7 @@ float dispersedIor(float ior, float dispersion, int channel) {
 }
 
 // Taps that the tables of this method have: what is composed of two faces needs two of each at most.
-int entryTaps() { return method > 1 ? 2 : 1; }
+int entryTaps() { return method > 1 && method < 100 ? 2 : 1; }
 
 Widening widening() { return distribution == 0 ? wideningGgx(entryTaps()) : wideningBeckmann(entryTaps()); }
 
@@ -175,6 +177,8 @@ GlassBeams throughTwoFaces(Surface s, float ior) {
 
     GlassBeams beams;
     beams.within = -1.0;
+    beams.leaving = p.first;
+    beams.inner = core.direction;
     beams.rest = noBeam(p.point, s.n);
     beams.bounced = noBeam(p.lastPoint, s.n);
     if (entryTaps() == 1) {
@@ -235,6 +239,11 @@ GlassBeams outOfSolid(Surface s, float ior) {
     vec3 absorption = absorbed(length(s.position - frame.eye.xyz));
     GlassBeams beams;
     beams.within = -1.0;
+    beams.inner = -s.wo;
+    beams.leaving.n = -s.n;
+    beams.leaving.alpha = s.alpha;
+    beams.leaving.eta = eta;
+    beams.leaving.turn = vec2(0.0);
     beams.rest = noBeam(s.position, s.n);
     beams.bounced = noBeam(s.position, s.n);
     for (int k = 0; k < entryTaps(); ++k) {

@@ -20,6 +20,7 @@ layout(location = 0) out vec4 outColor; // premultiplied where blended
 #include "stages/environment.glsl"
 #include "stages/surroundings.glsl"
 #include "stages/environment_light.glsl"
+#include "stages/importance.glsl"
 
 void main() {
     vec4 base = surfaceBaseColor();
@@ -31,7 +32,10 @@ void main() {
     }
     Surface s = readSurface(base);
     vec3 radiance = s.emissive;
-    if (hasEnvironment) radiance += environmentLight(s);
+    if (hasEnvironment) {
+        if (method >= 100) radiance += sampledLight(s, method - 100);
+        else radiance += environmentLight(s);
+    }
     if (hasLights) radiance += punctualLight(s);
     outColor = vec4(radiance * coverage, coverage);
 }

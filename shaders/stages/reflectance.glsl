@@ -31,6 +31,14 @@ vec3 dielectricFresnel(Surface s, float c) {
     return pair.f0 + (vec3(pair.f90) - pair.f0) * schlickWeight(c);
 }
 
+// The material's reflectance at the cosine c between direction and facet; a mixture's by its parts.
+vec3 materialFresnel(Surface s, float c) {
+    if (shading == 4) return fresnelConductorRgb(c, material.conductorN.xyz, material.conductorK.xyz);
+    if (shading == 2) return fresnelSchlickRgb(c, s.baseColor);
+    vec3 dielectric = dielectricFresnel(s, c);
+    return shading == 3 ? mix(dielectric, fresnelSchlickRgb(c, s.baseColor), s.metallic) : dielectric;
+}
+
 // D V of the material's distribution: f_r without Fresnel's factor.
 float materialLobe(Surface s, Facet f) {
     if (distribution == 1) return reflectionLobe(f, beckmannD(f.h, s.alpha), beckmannV(f.wi, f.wo, s.alpha));
@@ -48,15 +56,14 @@ vec3 materialFCos(Surface s, vec3 wi) {
     if (!f.exists) return vec3(0.0);
     float lobe = materialLobe(s, f);
     float c = f.woDotM;
-    vec3 value = vec3(0.0);
-    if (shading == 4) return lobe * f.wi.z * fresnelConductorRgb(c, material.conductorN.xyz, material.conductorK.xyz);
-    if (shading != 2) {
+    vec3 value = materialFresnel(s, c) * lobe;
+    if (shading == 1 || shading == 3) {
+        // The diffuse base takes what the dielectric part leaves.
         vec3 fresnel = dielectricFresnel(s, c);
         float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
-        float base = transmission > 0 ? 1.0 - s.transmission : 1.0;
-        value = fresnel * lobe + base * under * s.baseColor / BSDF_PI;
+        float base = shading == 3 ? 1.0 - s.metallic : 1.0;
+        if (transmission > 0) base *= 1.0 - s.transmission;
+        value += base * under * s.baseColor / BSDF_PI;
     }
-    if (shading == 2) value = fresnelSchlickRgb(c, s.baseColor) * lobe;
-    if (shading == 3) value = mix(value, fresnelSchlickRgb(c, s.baseColor) * lobe, s.metallic);
     return value * f.wi.z;
 }

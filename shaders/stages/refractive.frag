@@ -23,6 +23,8 @@ layout(location = 0) out vec4 outColor; // premultiplied
 #include "stages/surroundings.glsl"
 #include "stages/environment_light.glsl"
 #include "stages/glass.glsl"
+#include "stages/importance.glsl"
+#include "stages/importance_glass.glsl"
 
 void main() {
     vec4 base = surfaceBaseColor();
@@ -60,6 +62,10 @@ void main() {
             beams.rest.weight *= tint;
             beams.bounced.weight *= tint;
             beams.leftOver.weight *= tint;
+            if (method >= 100 && twice && !(beams.within >= 0.0)) {
+                radiance += mask * tint * sampledGlass(s, own, beams, method - 100);
+                beams.core.weight = vec3(0.0);
+            }
             radiance += mask * glassRadiance(beams, mirror);
         }
     }
