@@ -68,6 +68,10 @@ std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+std::string counted(std::size_t n, const char* thing) {
+  return fmt::format("{} {}{}", n, thing, n == 1 ? "" : "s");
+}
+
 std::string size_of(const Target& t) {
   std::string text = fmt::format("{}x{}", t.width, t.height);
   if (t.layers > 1) text += fmt::format(" x {} layers", t.layers);
@@ -77,22 +81,28 @@ std::string size_of(const Target& t) {
 
 // The levels of a pyramid follow each other and are one line.
 std::string passes_text(const std::vector<Pass>& passes) {
-  std::string text = fmt::format("{:<14}{:>6}  {:<46}{}\n", "pass", "draws", "reads", "writes");
+  std::size_t wide = 0; // the column of what is read
+  for (const Pass& pass : passes)
+    wide = std::max(wide, joined(pass.reads).size() + 2);
+  const auto row = [wide](const std::string& label, std::size_t draws, const std::string& reads,
+                          const std::string& writes) {
+    return fmt::format("{:<14}{:>6}  {:<{}}{}\n", label, draws ? std::to_string(draws) : "", reads,
+                       wide, writes);
+  };
+  std::string text =
+      fmt::format("{:<14}{:>6}  {:<{}}{}\n", "pass", "draws", "reads", wide, "writes");
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const Pass& pass = passes[i];
     if (pass.kind == PassKind::pyramid) {
       std::size_t last = i;
       while (last + 1 < passes.size() && passes[last + 1].kind == PassKind::pyramid)
         ++last;
-      const std::string times = fmt::format("pyramid x {}", last - i + 1);
-      text += fmt::format("{:<14}{:>6}  {:<46}{}\n", times, "", "each the level before",
-                          fmt::format("screen pyramid {} to {}", pass.part, passes[last].part));
+      text += row(fmt::format("pyramid x {}", last - i + 1), 0, "each the level before",
+                  fmt::format("screen pyramid {} to {}", pass.part, passes[last].part));
       i = last;
       continue;
     }
-    text += fmt::format("{:<14}{:>6}  {:<46}{}\n", pass.label,
-                        pass.draws ? std::to_string(pass.draws) : "", joined(pass.reads),
-                        joined(pass.writes));
+    text += row(pass.label, pass.draws, joined(pass.reads), joined(pass.writes));
   }
   return text;
 }
@@ -120,18 +130,17 @@ std::vector<FeatureUse> features_in_use(const std::vector<Draw>& draws) {
 std::string text_of(const Needs& needs) {
   const Draws& draws = needs.draws;
   std::string text =
-      fmt::format("{} draws, {} triangles", draws.all.size(), needs.triangle_count());
+      fmt::format("{}, {} triangles", counted(draws.all.size(), "draw"), needs.triangle_count());
   if (draws.outside) text += fmt::format("; {} outside the view are left out", draws.outside);
   if (draws.invisible)
     text += fmt::format("; {} that cannot be seen are left out", draws.invisible);
   text += "\n\n" + passes_text(needs.passes);
   if (!needs.layers.empty())
-    text += fmt::format("{} layers of what shows what is behind it, far to near\n",
-                        needs.layers.size());
+    text += counted(needs.layers.size(), "layer") + " of glass, far to near\n";
 
   text += "\nfeatures\n";
   for (const FeatureUse& use : features_in_use(draws.all))
-    text += fmt::format("  {:<36}{:>5} draws\n", use.name, use.draws);
+    text += fmt::format("  {:<36}{}\n", use.name, counted(use.draws, "draw"));
 
   const Lookups& lookups = needs.lookups;
   text += fmt::format("\nlookups of the blurred surroundings, at most, per pixel\n"
