@@ -49,25 +49,25 @@ const ModelTables& DeviceTables::of(const Model& model) const {
   return of_model[index_of(model)];
 }
 
-DeviceTables upload(gpu::Device& device, std::span<const Model> wanted, int taps) {
+DeviceTables make_tables(gpu::Device& device) {
   DeviceTables tables;
   tables.sampler = device.create(gpu::SamplerDesc{});
-  const std::filesystem::path directory = home_directory() / "assets" / "tables";
-  for (const Model& model : wanted) {
-    ModelTables& target = tables.of_model[index_of(model)];
-    constexpr int energy_size = glsl::f32::ENERGY_TABLE_SIZE, size = glsl::f32::LOBE_TABLE_SIZE;
-    target.energy = device.create(gpu::TextureDesc{.label = "energy " + name(model),
-                                                   .format = gpu::Format::rgba16f,
-                                                   .width = energy_size,
-                                                   .height = energy_size});
-    const std::vector<std::uint16_t> energy =
-        halves(read_reflection_energy(directory, model).texels);
-    device.upload(target.energy, 0, 0, std::as_bytes(std::span(energy)));
-    target.lobe = upload_volume(device, "lobe " + name(model), size, size * taps,
-                                glsl::f32::LOBE_TABLE_SLICES,
-                                read_reflection_lobes(directory, model, taps).texels);
-  }
   return tables;
+}
+
+void upload_reflection(gpu::Device& device, DeviceTables& tables, const Model& model, int taps) {
+  const std::filesystem::path directory = home_directory() / "assets" / "tables";
+  ModelTables& target = tables.of_model[index_of(model)];
+  constexpr int energy_size = glsl::f32::ENERGY_TABLE_SIZE, size = glsl::f32::LOBE_TABLE_SIZE;
+  target.energy = device.create(gpu::TextureDesc{.label = "energy " + name(model),
+                                                 .format = gpu::Format::rgba16f,
+                                                 .width = energy_size,
+                                                 .height = energy_size});
+  const std::vector<std::uint16_t> energy = halves(read_reflection_energy(directory, model).texels);
+  device.upload(target.energy, 0, 0, std::as_bytes(std::span(energy)));
+  target.lobe =
+      upload_volume(device, "lobe " + name(model), size, size * taps, glsl::f32::LOBE_TABLE_SLICES,
+                    read_reflection_lobes(directory, model, taps).texels);
 }
 
 void upload_interfaces(gpu::Device& device, DeviceTables& tables, std::span<const Model> wanted,

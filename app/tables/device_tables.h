@@ -22,9 +22,12 @@ struct DeviceTables {
   const ModelTables& of(const Model& model) const;
 };
 
-// Reads assets/tables and uploads the tables of reflection, of so many taps (1 to 4), of the models asked for; those of the
-// others stay empty. Throws Error(input) if a file is missing or damaged.
-DeviceTables upload(gpu::Device& device, std::span<const Model> wanted = models, int taps = 1);
+// No tables yet, and the sampler for all.
+DeviceTables make_tables(gpu::Device& device);
+
+// Reads assets/tables and adds the tables of a model's reflection, of so many taps (1 to 4). Throws Error(input) if a file is
+// missing or damaged.
+void upload_reflection(gpu::Device& device, DeviceTables& tables, const Model& model, int taps);
 
 // Adds the tables of what is transmitted, of so many taps (1 to 4), for these models.
 void upload_interfaces(gpu::Device& device, DeviceTables& tables, std::span<const Model> wanted,

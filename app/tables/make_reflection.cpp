@@ -21,9 +21,8 @@ constexpr int lobe_points =
 // The lobe seen exactly along the surface has no density to sample by; this close to it, it has its limit's shape.
 constexpr double least_cos = 1e-3;
 
-// Narrow lobes near the normal have so little of their energy from the edge that its share, far out in the tail, is never
-// asked for; it is kept to widths and leans that can be interpolated with.
-constexpr double greatest_width = 3.5, least_lean = -1.0, greatest_lean = 2.0;
+// GGX's tail is as wide as the sphere whatever alpha; beyond these a tap's place says nothing that is seen.
+constexpr double greatest_width = 60.0, least_lean = -1.0, greatest_lean = 2.0;
 
 // The lean that leads from the mirror direction at angle `theta` to `angle` (both from the normal): see lobeDirection.
 double lean_of(double angle, double theta) {

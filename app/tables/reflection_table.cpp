@@ -30,7 +30,7 @@ TableLayout lobe_layout(int taps) {
           "x sqrt(cos theta), y sqrt(alpha), nodes at i / (size - 1); below each other the share "
           "of Schlick's edge, 0 to 1; every slice holds the taps below each other, narrowest first",
           -2.0f,
-          4.0f};
+          64.0f};
 }
 
 } // namespace

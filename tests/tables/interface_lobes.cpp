@@ -28,9 +28,10 @@ TapSet stored_taps(const Model& model, int taps, const InterfaceAxes& at) {
 }
 
 // A facet that leans by t turns the ray by |cos_t - cos_i / eta| t: the lobe is alpha times that across the plane of
-// incidence, 1 / cos_t times as wide within it. The Gaussian that fits GGX's peaked lobe best is 1.15 times as wide.
+// incidence, 1 / cos_t times as wide within it. The one Gaussian that does best for
+// GGX's lobe, with its far tail, is 1.5 times as wide.
 TEST(interface_lobes, of_small_alpha_are_where_and_as_wide_as_first_order_theory_says) {
-  constexpr double alpha = 0.02, shape = 1.15;
+  constexpr double alpha = 0.02, shape = 1.5;
   for (double eta : {1.2, 1.5, 2.0, 1.0 / 1.2, 1.0 / 1.5, 1.0 / 2.0})
     for (double angle : {0.0, 15.0, 25.0}) {
       const double c = std::cos(angle * degree), cos_t = f64::fresnelG(c, eta) / eta;
@@ -39,7 +40,7 @@ TEST(interface_lobes, of_small_alpha_are_where_and_as_wide_as_first_order_theory
       const auto tap = interface_tap_at(models[0], 0, 1, c, alpha, eta);
       EXPECT_NEAR(tap.angle, f64::interfaceSnell(c, eta), 0.1 * width) << eta << ' ' << angle;
       EXPECT_NEAR(tap.sigma / width, shape, 0.12) << eta << ' ' << angle;
-      EXPECT_EQ(tap.weight, 1.0);
+      EXPECT_NEAR(tap.weight, 1.0, 1e-12);
     }
 }
 
