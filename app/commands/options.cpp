@@ -238,9 +238,10 @@ std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options) {
 }
 
 const std::vector<NamedMethod>& methods() {
-  static const std::vector<NamedMethod> all = {{"standard", needs::Method::standard, 1},
-                                               {"lobes1", needs::Method::lobes1, 1},
-                                               {"lobes2", needs::Method::lobes2, 2}};
+  static const std::vector<NamedMethod> all = {
+      {"standard", needs::Method::standard, 1}, {"lobes1", needs::Method::lobes1, 1},
+      {"lobes2", needs::Method::lobes2, 2},     {"lobes3", needs::Method::lobes3, 3},
+      {"lobes4", needs::Method::lobes4, 4},     {"fis16", needs::fis(16), 16}};
   return all;
 }
 
@@ -250,10 +251,16 @@ NamedMethod find_method(const std::string& text) {
     if (method.name == text) return method;
     names += (names.empty() ? "" : ", ") + method.name;
   }
-  if (text == "lobes3" || text == "lobes4" || text.starts_with("fis"))
-    throw Error(ExitCode::unsupported, "--method", "'" + text + "' is not available yet",
-                "Available: " + names + ".");
-  refuse("--method", text, "The methods are " + names + ".");
+  // Any number of importance samples; more than a thousand a pixel are the path tracer's business.
+  constexpr int most_samples = 1024;
+  int samples = 0;
+  if (text.starts_with("fis")) {
+    const char *first = text.data() + 3, *last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(first, last, samples);
+    if (error == std::errc() && end == last && samples >= 1 && samples <= most_samples)
+      return {text, needs::fis(samples), samples};
+  }
+  refuse("--method", text, "The methods are " + names + ", and fis1 to fis1024.");
 }
 
 needs::Method parse_method(const std::string& text) {

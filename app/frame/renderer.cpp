@@ -30,20 +30,13 @@ needs::View view_of(const FrameDesc& desc) {
 }
 
 tables::DeviceTables upload_tables(gpu::Device& device, const needs::Needs& needs) {
-  std::vector<tables::Model> reflecting, transmitting;
-  int reflection_taps = 1, interface_taps = 1;
+  tables::DeviceTables tables = tables::make_tables(device);
   for (const needs::Table& table : needs.tables) {
-    if (table.kind == needs::TableKind::reflection_lobes) {
-      reflecting.push_back(table.model);
-      reflection_taps = table.taps;
-    }
-    if (table.kind == needs::TableKind::interface_lobes) {
-      transmitting.push_back(table.model);
-      interface_taps = table.taps;
-    }
+    if (table.kind == needs::TableKind::reflection_lobes)
+      tables::upload_reflection(device, tables, table.model, table.taps);
+    if (table.kind == needs::TableKind::interface_lobes)
+      tables::upload_interfaces(device, tables, std::array{table.model}, table.taps);
   }
-  tables::DeviceTables tables = tables::upload(device, reflecting, reflection_taps);
-  tables::upload_interfaces(device, tables, transmitting, interface_taps);
   return tables;
 }
 

@@ -1,6 +1,7 @@
 #include "needs/draws.h"
 
 #include "frame/camera.h"
+#include "needs/tables.h"
 #include "scene/solid_shape.h"
 
 #include <algorithm>
@@ -159,6 +160,9 @@ Draws draws_of(const scene::Scene& scene, const View& view) {
       draw.instance_index = place_in(draws.instances, instances, &instance);
       draw.role = role_of(material);
       draw.key = features.key;
+      if (value_of(draw.key, Feature::environment) != 0)
+        set_value(draw.key, Feature::lobe_taps,
+                  reflection_taps(view.method, model_of(material, view.correlated_smith)));
       draw.bounds = bounds;
       const glm::vec3 centre(instance.world * glm::vec4(primitive.bounds.centre(), 1.0f));
       draw.distance = static_cast<double>(glm::dot(centre - eye, forward));

@@ -66,6 +66,7 @@ enum class Feature : std::uint32_t {
   attenuation,
   holds_opaque,
   interior_pairs,
+  lobe_taps,
   count
 };
 enum class Shading { unlit, dielectric, metal, mixed, conductor };

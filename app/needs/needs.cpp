@@ -102,9 +102,13 @@ Lookups lookups_of(const Needs& needs) {
   const Method method = needs.view.method;
   Lookups most;
   for (const Draw& draw : needs.draws.all) {
+    // Glass reflects little: its taps are merged into one (stages/environment_light.glsl).
+    const bool refracts = draw.role == Role::refractive;
     if (value_of(draw.key, Feature::environment) != 0)
-      most.reflected = lookups_per_lobe(method, reflection_taps(method));
-    if (draw.role != Role::refractive) continue;
+      most.reflected =
+          std::max(most.reflected,
+                   refracts ? 1 : lookups_per_lobe(method, value_of(draw.key, Feature::lobe_taps)));
+    if (!refracts) continue;
     if (draw.is_straight()) {
       most.refracted = std::max(most.refracted, 1);
       continue;

@@ -57,14 +57,16 @@ tables::Model model_of(const scene::Material& material, bool correlated_smith) {
   return {};
 }
 
-int reflection_taps(Method) {
-  return 1;
+int reflection_taps(Method method, const tables::Model& model) {
+  // Tables of several taps are stored for the model of record; others make do with one.
+  const bool of_record = same(model, tables::models.front());
+  return of_record ? std::max(taps_of(method), 1) : 1;
 }
 
 int interface_taps(Method method) {
   if (method == Method::standard) return 0;
   // Importance sampling takes energies and widths of what it does not sample from the same tables.
-  return method == Method::lobes1 ? 1 : 2;
+  return taps_of(method) > 1 ? 2 : 1;
 }
 
 std::vector<Table> tables_of(const std::vector<Draw>& draws, const View& view) {
@@ -79,7 +81,8 @@ std::vector<Table> tables_of(const std::vector<Draw>& draws, const View& view) {
     }
     if (reflects) {
       tables.push_back(table_of(TableKind::reflection_energy, model, 0));
-      tables.push_back(table_of(TableKind::reflection_lobes, model, reflection_taps(view.method)));
+      tables.push_back(
+          table_of(TableKind::reflection_lobes, model, reflection_taps(view.method, model)));
     }
     if (transmits && interface_taps(view.method) > 0) {
       tables.push_back(table_of(TableKind::interface_energy, model, 0));

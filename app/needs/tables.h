@@ -25,7 +25,7 @@ tables::Model model_of(const scene::Material& material, bool correlated_smith);
 
 // Taps of a method's tables: of one face's reflection, and of one face that light passes. What is composed of two faces
 // needs two taps of each at most (refraction/composition_fetch.glsl). 0: it reads none.
-int reflection_taps(Method method);
+int reflection_taps(Method method, const tables::Model& model);
 int interface_taps(Method method);
 
 // Each once, in the order of tables::models.

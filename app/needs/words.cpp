@@ -40,6 +40,9 @@ constexpr FeatureName names[] = {
     {Feature::index_one, "index 1"},
     {Feature::attenuation, "absorption"},
     {Feature::holds_opaque, "opaque things inside"},
+    {Feature::lobe_taps,
+     "reflection by",
+     {nullptr, "one tap", "two taps", "three taps", "four taps"}},
     {Feature::interior_pairs, "interior", {nullptr, "one pair of faces", "two pairs of faces"}},
 };
 

@@ -35,7 +35,8 @@ vec3 reflectedRadiance(Surface s, vec3 direction, float sigma) {
 // The reflection lobe: what arrives along the tap is seen times the weight. And all else that the surroundings make of the
 // surface: diffuse light under it, and what scattered more than once.
 struct EnvironmentLight {
-    LobeTap tap;
+    LobeTap tap; // the first of lobeTaps
+    float edge;  // where the table is read
     vec3 weight;
     vec3 diffuse;
 };
@@ -46,8 +47,9 @@ EnvironmentLight environmentLobe(Surface s) {
     vec3 reflectance = lobeMeanRgb(energy, materialFresnel(s, energy.cos1), materialFresnel(s, energy.cos2));
 
     EnvironmentLight light;
+    light.edge = edgeShare(meanOf(materialFresnel(s, 1.0)), meanOf(reflectance));
     if (method == 0) light.tap = fetchStandardTap(lobeTable, s.wo, s.n, s.alpha);
-    else light.tap = fetchLobeTap(lobeTable, s.wo, s.n, s.alpha, edgeShare(meanOf(materialFresnel(s, 1.0)), meanOf(reflectance)));
+    else light.tap = fetchLobeTapOf(lobeTable, 0, lobeTaps, s.wo, s.n, s.alpha, light.edge);
     light.weight = s.occlusion * energy.albedo * reflectance;
     light.diffuse = vec3(0.0);
 
@@ -70,5 +72,26 @@ EnvironmentLight environmentLobe(Surface s) {
 
 vec3 environmentLight(Surface s) {
     EnvironmentLight light = environmentLobe(s);
-    return light.diffuse + light.weight * reflectedRadiance(s, light.tap.direction, light.tap.sigma);
+    LobeTap tap = light.tap;
+    vec3 sum = tap.weight * reflectedRadiance(s, tap.direction, tap.sigma);
+    for (int k = 1; k < lobeTaps; ++k) {
+        tap = fetchLobeTapOf(lobeTable, k, lobeTaps, s.wo, s.n, s.alpha, light.edge);
+        sum += tap.weight * reflectedRadiance(s, tap.direction, tap.sigma);
+    }
+    return light.diffuse + light.weight * sum;
+}
+
+// All taps as one of the same mean and variance (per axis half of the squared distances): for glass, where little is reflected.
+LobeTap mergedTap(Surface s, EnvironmentLight light) {
+    LobeTap merged = light.tap;
+    for (int k = 1; k < lobeTaps; ++k) {
+        LobeTap tap = fetchLobeTapOf(lobeTable, k, lobeTaps, s.wo, s.n, s.alpha, light.edge);
+        float share = tap.weight / max(merged.weight + tap.weight, 1e-30);
+        vec3 apart = tap.direction - merged.direction;
+        merged.sigma = sqrt(mix(merged.sigma * merged.sigma, tap.sigma * tap.sigma, share) +
+                            0.5 * share * (1.0 - share) * dot(apart, apart));
+        merged.direction = normalize(merged.direction + share * apart);
+        merged.weight += tap.weight;
+    }
+    return merged;
 }

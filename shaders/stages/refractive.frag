@@ -40,7 +40,8 @@ void main() {
     WeightedBeam mirror = noBeam(s.position, s.n);
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);
-        mirror.beam = straightBeam(s.position, light.tap.direction, light.tap.sigma);
+        LobeTap tap = mergedTap(s, light);
+        mirror.beam = straightBeam(s.position, tap.direction, tap.sigma);
         mirror.weight = light.weight;
         radiance += light.diffuse;
     }
