@@ -41,7 +41,7 @@ constexpr int balance_rounds = 4;     // of the wide kernels: what is left is be
 constexpr int blur_balance_steps = 3; // environment_blur.comp
 
 // Texels of a face's edge that one group of a stage makes: local_size, times 2 where an invocation makes a quad.
-constexpr int quads_group = 16, weigh_group = 8, zonal_group = 8;
+constexpr int quads_group = 16, zonal_group = 8;
 int groups(int texels, int of_one) {
   return (texels + of_one - 1) / of_one;
 }
@@ -73,8 +73,8 @@ vec4 kernel_of(double reach, double variance) {
   return {radius, 4.0 * half * half, 0.5 / variance, 0.0};
 }
 
-const std::string stages[] = {"environment_equirect.comp", "environment_weigh.comp",
-                              "environment_blur.comp", "environment_zonal.comp"};
+const std::string stages[] = {"environment_equirect.comp", "environment_blur.comp",
+                              "environment_zonal.comp"};
 
 // Collects the passes of the build; they run together at the end.
 class Builder {
@@ -88,11 +88,30 @@ private:
     gpu::View view;
     gpu::SamplerRef sampler;
   };
+  struct Image {
+    const char* name;
+    gpu::View view;
+  };
+  // A Gaussian step, from the level before it to `to`.
+  struct Blur {
+    gpu::View to;
+    int size;        // of the result
+    double variance; // what the result has more than the source
+    bool halved;     // the source is twice as large
+    EnvironmentStep step;
+    gpu::View weights;
+  };
+  // What the step before the i-th blur hands on to it; with none left, what is bound in its place and not used.
+  int next_size(std::size_t i) const { return i < blurs_.size() ? blurs_[i].size : 0; }
+  gpu::View next_weights(std::size_t i) {
+    return i < blurs_.size() ? blurs_[i].weights : areas(blurs_.back().size);
+  }
+  gpu::View handed_to(std::size_t i) const { return gpu::whole(weighted_[i % 2]); }
   void add(const std::string& label, const gpu::PipelineRef& pipeline, const EnvironmentStep& step,
-           std::vector<Bound> textures, const char* image_name, const gpu::View& image,
-           int groups_per_edge, int layers);
+           std::vector<Bound> textures, std::vector<Image> images, int groups_per_edge, int layers);
   void sharp(const EquirectLattice& lattice);
-  void blur(const gpu::View& from, const gpu::View& to, int size, double variance, bool halved);
+  void plan_blurs();
+  void blur(std::size_t i);
   void zonal(const gpu::View& from, int from_size, const gpu::View& to, int size, int kernel);
   gpu::TextureRef plane(const std::string& label, int width, int height,
                         gpu::Format format = gpu::Format::r32f);
@@ -106,13 +125,16 @@ private:
   gpu::Device& device_;
   Map map_;
   Stack stack_;
-  gpu::TextureRef scratch_, kernels_;
+  gpu::TextureRef weighted_[2]; // in turn: what a blur reads, and what it hands on
+  gpu::TextureRef kernels_;
   gpu::SamplerRef point_;
   gpu::BufferRef steps_;
   std::vector<EnvironmentStep> step_values_;
   std::vector<gpu::Pass> passes_;
+  std::vector<Blur> blurs_;
+  double blurred_variance_ = 0.0;        // of the last of them
   std::map<int, gpu::TextureRef> areas_; // of the texels of a face, by its size
-  gpu::PipelineRef equirect_, weigh_, blur_, blur_balance_, zonal_, zonal_balance_;
+  gpu::PipelineRef equirect_, blur_, blur_balance_, zonal_, zonal_balance_;
   int face_ = 0;
 };
 
@@ -178,22 +200,25 @@ gpu::PipelineRef Builder::compute(const std::string& file, std::vector<gpu::Cons
 }
 
 void Builder::add(const std::string& label, const gpu::PipelineRef& pipeline,
-                  const EnvironmentStep& step, std::vector<Bound> textures, const char* image_name,
-                  const gpu::View& image, int groups_per_edge, int layers) {
+                  const EnvironmentStep& step, std::vector<Bound> textures,
+                  std::vector<Image> images, int groups_per_edge, int layers) {
   gpu::Pass pass;
   pass.label = label;
   for (const Bound& b : textures)
     pass.reads.push_back(b.view);
-  pass.storage = {image};
+  for (const Image& i : images)
+    pass.storage.push_back(i.view);
   const std::size_t offset = step_values_.size() * gpu::block_alignment;
   step_values_.push_back(step);
   const auto edge = static_cast<std::uint32_t>(groups_per_edge);
-  pass.record = [=, this, textures = std::move(textures)](gpu::Encoder& encoder) {
+  pass.record = [=, this, textures = std::move(textures),
+                 images = std::move(images)](gpu::Encoder& encoder) {
     encoder.use(pipeline);
     encoder.buffer("Step", steps_, offset, sizeof(EnvironmentStep));
     for (const Bound& b : textures)
       encoder.texture(b.name, b.view, b.sampler);
-    encoder.image(image_name, image);
+    for (const Image& i : images)
+      encoder.image(i.name, i.view);
     encoder.dispatch(edge, edge, static_cast<std::uint32_t>(layers));
   };
   passes_.push_back(std::move(pass));
@@ -216,38 +241,51 @@ void Builder::sharp(const EquirectLattice& lattice) {
       filled(map_.name, map_.width, map_.height, gpu::Format::rgba32f, lattice.texels);
   const auto rows = filled("rows", map_.width, 3, gpu::Format::rgba32f, lattice.rows);
   EnvironmentStep step{};
-  step.sizes = {face_, 0, map_.width, map_.height};
+  step.sizes = {face_, next_size(0), map_.width, map_.height};
   step.kernel = kernel_of(equirect_reach, sharp_sigma(map_) * sharp_sigma(map_));
   add("environment: cube", equirect_, step,
-      {{"equirect", gpu::whole(picture), point_}, {"rows", gpu::whole(rows), point_}}, "result",
-      faces(stack_.even, 0), groups(face_, quads_group), 6);
+      {{"equirect", gpu::whole(picture), point_},
+       {"rows", gpu::whole(rows), point_},
+       {"nextWeights", next_weights(0), point_}},
+      {{"result", faces(stack_.even, 0)}, {"weightedResult", handed_to(0)}},
+      groups(face_, quads_group), 6);
 }
 
-// `variance` is what the result has more than the source. `from_level` of the source is as large as the result, or twice
-// as large and halved first, which adds a part of the variance.
-void Builder::blur(const gpu::View& from, const gpu::View& to, int size, double variance,
-                   bool halved) {
-  EnvironmentStep step{};
-  step.sizes = {size, halved ? 2 * size : size, from.level, 0};
-  step.kernel = kernel_of(glsl::f64::HEAT_KERNEL_REACH, variance / glsl::f64::HEAT_KERNEL_KEPT);
-  // The four points that a halved texel is the mean of lie half a source texel off: a 16th of its area per axis, at a face's
-  // centre of 4 / size², and half of it for each end.
-  if (halved) step.kernel.w = static_cast<float>(0.5 / 16.0 * 4.0 / (size * size) / variance);
-  gpu::View weights = areas(size);
-  for (int i = 0; i < blur_balance_steps; ++i) {
-    const gpu::View next = gpu::whole(plane("weights", size, size));
-    add("environment: balance", blur_balance_, step, {{"weights", weights, point_}},
-        "weightsResult", next, groups(size / 2, quads_group), 1);
-    weights = next;
+// The blurs from level to level, and the balance of their weights, which depends on sizes and widths alone.
+void Builder::plan_blurs() {
+  const double sharpest = sharp_sigma(map_);
+  blurred_variance_ = sharpest * sharpest;
+  for (int level = 1; face_ >> level > zonal_face; ++level) {
+    const int size = face_ >> level;
+    const double even = even_sigma(size) * even_sigma(size), odd = 2.0 * even;
+    blurs_.push_back({faces(stack_.even, level), size, even - blurred_variance_, true, {}, {}});
+    blurs_.push_back({faces(stack_.odd, level - 1), size, odd - even, false, {}, {}});
+    blurred_variance_ = odd;
   }
-  // Levels are chosen in the shader, and all sizes are weighed into one texture: for views of one level each a driver may
-  // compile the shaders anew.
-  const gpu::View weighted = gpu::whole(scratch_);
-  add("environment: weigh", weigh_, step,
-      {{"source", gpu::whole(from.texture), point_}, {"weights", weights, point_}}, "weighted",
-      weighted, groups(size, weigh_group), 6);
-  add("environment: blur", blur_, step, {{"weighted", weighted, point_}}, "result", to,
-      groups(size, quads_group), 6);
+  for (std::size_t i = 0; i < blurs_.size(); ++i) {
+    Blur& b = blurs_[i];
+    b.step.sizes = {b.size, next_size(i + 1), 0, 0};
+    b.step.kernel =
+        kernel_of(glsl::f64::HEAT_KERNEL_REACH, b.variance / glsl::f64::HEAT_KERNEL_KEPT);
+    // The four points that a halved texel is the mean of lie half a source texel off: a 16th of its area per axis, at a face's
+    // centre of 4 / size², and half of it for each end.
+    if (b.halved)
+      b.step.kernel.w = static_cast<float>(0.5 / 16.0 * 4.0 / (b.size * b.size) / b.variance);
+    b.weights = areas(b.size);
+    for (int round = 0; round < blur_balance_steps; ++round) {
+      const gpu::View next = gpu::whole(plane("weights", b.size, b.size));
+      add("environment: balance", blur_balance_, b.step, {{"weights", b.weights, point_}},
+          {{"weightsResult", next}}, groups(b.size / 2, quads_group), 1);
+      b.weights = next;
+    }
+  }
+}
+
+void Builder::blur(std::size_t i) {
+  const Blur& b = blurs_[i];
+  add("environment: blur", blur_, b.step,
+      {{"weighted", handed_to(i), point_}, {"nextWeights", next_weights(i + 1), point_}},
+      {{"result", b.to}, {"weightedResult", handed_to(i + 1)}}, groups(b.size, quads_group), 6);
 }
 
 void Builder::zonal(const gpu::View& from, int from_size, const gpu::View& to, int size,
@@ -261,13 +299,13 @@ void Builder::zonal(const gpu::View& from, int from_size, const gpu::View& to, i
                   columns = gpu::whole(plane("columns", from_size, from_size));
   for (int round = 0; round < balance_rounds; ++round) {
     add("environment: balance", zonal_balance_, onto_result,
-        {kernels, {"weights", round ? columns : areas(from_size), point_}}, "weightsResult", rows,
-        groups(size / 2, zonal_group), 1);
+        {kernels, {"weights", round ? columns : areas(from_size), point_}},
+        {{"weightsResult", rows}}, groups(size / 2, zonal_group), 1);
     add("environment: balance", zonal_balance_, onto_source, {kernels, {"weights", rows, point_}},
-        "weightsResult", columns, groups(from_size / 2, zonal_group), 1);
+        {{"weightsResult", columns}}, groups(from_size / 2, zonal_group), 1);
   }
   add("environment: wide", zonal_, onto_result,
-      {kernels, {"source", from, point_}, {"weights", columns, point_}}, "result", to,
+      {kernels, {"source", from, point_}, {"weights", columns, point_}}, {{"result", to}},
       groups(size, zonal_group), 6);
 }
 
@@ -278,7 +316,8 @@ Stack Builder::build(std::vector<gpu::PassTime>* times) {
   stack_.odd = cube("environment, odd levels", face_ / 2, even_levels - 1);
   stack_.irradiance = cube("irradiance", irradiance_face, 1);
   stack_.sampler = device_.create(gpu::SamplerDesc{.between_levels = gpu::Filter::linear});
-  scratch_ = cube("scratch", face_ / 2, 1, gpu::Format::rgba32f);
+  for (gpu::TextureRef& texture : weighted_)
+    texture = cube("weighted", face_ / 2, 1, gpu::Format::rgba32f);
   point_ = device_.create(
       gpu::SamplerDesc{.magnify = gpu::Filter::nearest, .minify = gpu::Filter::nearest});
   // The host balances the picture's lattice while the shaders are compiled.
@@ -286,40 +325,28 @@ Stack Builder::build(std::vector<gpu::PassTime>* times) {
     return equirect_lattice(map_, face_, stack_.unit, sharp_sigma(map_), equirect_reach);
   });
   equirect_ = compute("environment_equirect.comp");
-  weigh_ = compute("environment_weigh.comp");
   blur_ = compute("environment_blur.comp", {gpu::constant(0, false)});
   blur_balance_ = compute("environment_blur.comp", {gpu::constant(0, true)});
   zonal_ = compute("environment_zonal.comp", {gpu::constant(0, false)});
   zonal_balance_ = compute("environment_zonal.comp", {gpu::constant(0, true)});
+  plan_blurs();
   sharp(lattice.get());
-
-  const double sharpest = sharp_sigma(map_);
-  double variance = sharpest * sharpest;
-  std::vector<std::pair<gpu::View, int>>
-      wide;       // levels that are convolved over all pairs, by growing sigma
-  gpu::View last; // the odd level before them
-  for (int level = 1; level < even_levels; ++level) {
+  for (std::size_t i = 0; i < blurs_.size(); ++i)
+    blur(i);
+  // Levels that are convolved over all pairs, by growing sigma, and the odd level before them.
+  std::vector<std::pair<gpu::View, int>> wide;
+  for (int level = even_levels - 1; face_ >> level <= zonal_face; --level) {
     const int size = face_ >> level;
-    const gpu::View even = faces(stack_.even, level), odd = faces(stack_.odd, level - 1);
-    if (size <= zonal_face) {
-      wide.push_back({even, size});
-      wide.push_back({odd, size});
-      continue;
-    }
-    const double even_variance = even_sigma(size) * even_sigma(size),
-                 odd_variance = 2.0 * even_variance;
-    blur(level == 1 ? faces(stack_.even, 0) : faces(stack_.odd, level - 2), even, size,
-         even_variance - variance, true);
-    blur(even, odd, size, odd_variance - even_variance, false);
-    variance = odd_variance;
-    last = odd;
+    wide.insert(wide.begin(),
+                {{faces(stack_.even, level), size}, {faces(stack_.odd, level - 1), size}});
   }
+  const gpu::View last = blurs_.back().to;
 
   // All kernels of the angle in one table: those of the wide levels, then the cosine.
   std::vector<float> kernels;
   for (std::size_t i = 0; i < wide.size(); ++i) {
     const double sigma = i % 2 ? odd_sigma(wide[i].second) : even_sigma(wide[i].second);
-    const auto row = heat_kernel_table(sigma * sigma - variance, kernel_samples);
+    const auto row = heat_kernel_table(sigma * sigma - blurred_variance_, kernel_samples);
     kernels.insert(kernels.end(), row.begin(), row.end());
   }
   const double source_sigma = odd_sigma(irradiance_source);
@@ -341,7 +368,7 @@ Stack Builder::build(std::vector<gpu::PassTime>* times) {
                           blocks);
   device_.run(passes_, times);
 
-  const double first = even_sigma(face_ / 2);
+  const double sharpest = sharp_sigma(map_), first = even_sigma(face_ / 2);
   stack_.shape = {std::sqrt(sharpest * sharpest + lookup_variance(face_)),
                   // The mean of an even and an odd level's share, as one number stands for both.
                   std::sqrt(first * first + 0.75 * lookup_variance(face_ / 2)),

@@ -7,14 +7,14 @@
 #include "environment/heat_kernel.glsl"
 #include "interface/environment_step.glsl"
 #include "stages/environment_balance.glsl"
-#include "stages/environment_quad.glsl"
+#include "stages/environment_weigh.glsl"
 #include "stages/half_float.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool balancing = false; // a step of the balance, else the blur
 
-layout(binding = 1) uniform sampler2DArray weighted; // of environment_weigh.comp
+layout(binding = 1) uniform sampler2DArray weighted; // of the step before (environment_weigh.glsl)
 layout(binding = 3, rgba16f) uniform writeonly imageCube result;
 
 vec4 kernelOf(vec4 chord2, vec4 inverse) {
@@ -70,14 +70,17 @@ void main() {
             }
         }
     }
-    for (int k = 0; k < 4; k++) {
-        ivec2 texel = quadTexel(at, k);
-        if (balancing) {
+    if (balancing) {
+        for (int k = 0; k < 4; k++) {
+            ivec2 texel = quadTexel(at, k);
             float area = cubeTexelSolidAngle(texel.x, texel.y, size);
             keepWeight(texel, size, sqrt(area * texelFetch(weights, texel, 0).x / total[k]));
-        } else {
-            vec3 mean = vec3(red[k], green[k], blue[k]) / total[k];
-            imageStore(result, ivec3(texel, id.z), vec4(roundToHalfRgb(mean), 1.0));
         }
+    } else {
+        red = roundToHalfFour(red / total);
+        green = roundToHalfFour(green / total);
+        blue = roundToHalfFour(blue / total);
+        for (int k = 0; k < 4; k++) imageStore(result, ivec3(quadTexel(at, k), id.z), vec4(red[k], green[k], blue[k], 1.0));
+        weighQuad(ivec3(at, id.z), size, environmentStep.sizes.y, red, green, blue);
     }
 }

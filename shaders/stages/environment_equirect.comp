@@ -3,7 +3,7 @@
 // a balance, which makes up for the crowding of pixels at the poles (app/environment/zonal.h).
 #version 450
 #include "interface/environment_step.glsl"
-#include "stages/environment_quad.glsl"
+#include "stages/environment_weigh.glsl"
 #include "stages/half_float.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -75,8 +75,9 @@ void main() {
             x = x + 1 == pixels.x ? 0 : x + 1;
         }
     }
-    for (int k = 0; k < 4; k++) {
-        vec3 mean = vec3(red[k], green[k], blue[k]) / total[k];
-        imageStore(result, ivec3(quadTexel(at, k), id.z), vec4(roundToHalfRgb(mean), 1.0));
-    }
+    red = roundToHalfFour(red / total);
+    green = roundToHalfFour(green / total);
+    blue = roundToHalfFour(blue / total);
+    for (int k = 0; k < 4; k++) imageStore(result, ivec3(quadTexel(at, k), id.z), vec4(red[k], green[k], blue[k], 1.0));
+    weighQuad(ivec3(at, id.z), size, environmentStep.sizes.y, red, green, blue);
 }

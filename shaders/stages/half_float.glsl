@@ -11,6 +11,8 @@
 // Half of the last bit kept is added, and the 13 bits below it are cleared.
 float roundToHalf(float x) { return uintBitsToFloat((floatBitsToUint(x) + 0x1000u) & 0xffffe000u); }
 
+vec4 roundToHalfFour(vec4 v) { return vec4(roundToHalf(v.x), roundToHalf(v.y), roundToHalf(v.z), roundToHalf(v.w)); }
+
 vec3 roundToHalfRgb(vec3 v) { return vec3(roundToHalf(v.x), roundToHalf(v.y), roundToHalf(v.z)); }
 
 #endif
