@@ -27,8 +27,8 @@ struct InnerTap {
 struct Widening {
   float shape;      // for directions and widths. The tables' own sigma per alpha and radian of facet tilt is about 1 / shape
   float shapeRays;  // the same where the face is smooth and all of the width the ray's: then only the tables' core is read
-  float energyCore; // for the energy let through, first tap
-  float energyTail; // the other taps
+  float energyCore; // for the energy let through: of the entry's first tap, of its second
+  float energyTail;
   float reflectedCore; // for the energy thrown back inside
   float reflectedTail;
 };
@@ -55,14 +55,14 @@ Widening wideningGgx(int taps) {
   return k;
 }
 
-// Beckmann's sigma is alpha / sqrt(2), GGX's core and tail together are wider: the same ray is worth more alpha.
+// Beckmann's Gaussian slopes are narrower than GGX's of the same alpha: the same spread of rays is worth more of it.
 Widening wideningBeckmann(int taps) {
   Widening k;
   k.shape = taps > 1 ? 1.3 : 1.2;
   k.shapeRays = taps > 1 ? 1.6 : 1.2;
-  k.energyCore = 1.4;
-  k.energyTail = 1.4;
-  k.reflectedCore = 1.2;
+  k.energyCore = taps > 1 ? 1.3 : 1.5;
+  k.energyTail = 1.6;
+  k.reflectedCore = 1.3;
   k.reflectedTail = 1.2;
   return k;
 }

@@ -1,8 +1,6 @@
 #include "composition/methods.h"
 
-#include "core/files.h"
 #include "tables/lookup.h"
-#include "tables/reflection_table.h"
 
 #include <glm/geometric.hpp>
 

@@ -52,11 +52,11 @@ double energy_of(const std::vector<Lookup>& taps) {
   return sum;
 }
 
-const tables::Training& environments() {
-  static const tables::Training training = [] {
+const tables::Training& environments(int texels_per_edge) {
+  static const tables::Training training = [texels_per_edge] {
     std::vector<tables::SphereStack> stacks;
     for (int draw : tables::held_out_draws)
-      for (const tables::TrainingMap& map : tables::training_maps(128, draw))
+      for (const tables::TrainingMap& map : tables::training_maps(texels_per_edge, draw))
         stacks.emplace_back(map.map);
     return tables::Training(std::move(stacks), 24, 3);
   }();

@@ -17,8 +17,9 @@ struct Lookup {
 
 double energy_of(const std::vector<Lookup>& taps);
 
-// The held-out maps in many orientations.
-const tables::Training& environments();
+// The held-out maps in many orientations. The first call says how fine they are, texels along a cube's edge: the narrowest
+// lobes ask for 128, which take a while to blur.
+const tables::Training& environments(int texels_per_edge = 64);
 
 // The truth's radiance in every view, for energy 1.
 std::vector<double> seen(const Truth& truth);

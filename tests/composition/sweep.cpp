@@ -1,5 +1,5 @@
 // Every method against brute force, over slabs, wedges, spheres and curved exits: prints the table by method, geometry and
-// nearness to the critical angle. Arguments: model [stride [paths]].
+// nearness to the critical angle. Arguments: model (0 GGX, 1 GGX with correlated Smith, 2 Beckmann) [stride [paths [floors]]].
 #include "composition/configurations.h"
 #include "composition/methods.h"
 
@@ -130,13 +130,17 @@ int main(int argc, char** argv) {
   const int stride = argc > 2 ? std::max(std::atoi(argv[2]), 1) : 1;
   const int paths = argc > 3 ? std::max(std::atoi(argv[3]), 16) : 8192;
   const bool floors = argc > 4;
+  if (which < 0 || which > 2) {
+    std::fprintf(stderr, "composition_sweep: model %d is none of 0, 1, 2\n", which);
+    return 1;
+  }
   std::vector<Configuration> list;
   {
     const auto all = configurations(gg::tables::models[static_cast<std::size_t>(which)]);
     for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(stride))
       list.push_back(all[i]);
   }
-  environments();
+  environments(128);
   std::vector<std::string> names;
   for (const Method& m : methods())
     names.push_back(m.name);
