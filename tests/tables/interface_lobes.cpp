@@ -35,7 +35,7 @@ TEST(interface_lobes, of_small_alpha_are_where_and_as_wide_as_first_order_theory
   for (double eta : {1.2, 1.5, 2.0, 1.0 / 1.2, 1.0 / 1.5, 1.0 / 2.0})
     for (double angle : {0.0, 15.0, 25.0}) {
       const double c = std::cos(angle * degree), cos_t = f64::fresnelG(c, eta) / eta;
-      if (eta < 1.0 && cos_t < 0.5) continue; // near the critical angle the second order rules
+      if (eta < 1.0 && cos_t < 0.7) continue; // near the critical angle the second order rules
       const double width = std::abs(cos_t - c / eta) * alpha / std::sqrt(cos_t);
       const auto tap = interface_tap_at(models[0], 0, 1, c, alpha, eta);
       EXPECT_NEAR(tap.angle, f64::interfaceSnell(c, eta), 0.1 * width) << eta << ' ' << angle;
@@ -101,8 +101,8 @@ TEST(interface_lobes, are_fitted_again_as_well_and_to_the_same_place) {
       std::printf("    %d taps, node %2d %2d %2d: stored %.4f, fitted again %.4f, moves by %.3f\n",
                   taps, n.x, n.y, n.slice, stored, again.error, distance);
       // Pulled towards its neighbours a fit gives up a little; a flat minimum moves without gain.
-      EXPECT_LT(stored, 1.25 * again.error + 0.005);
-      EXPECT_LT(distance, 0.5);
+      EXPECT_LT(stored, 1.1 * again.error + 0.005);
+      EXPECT_LT(distance, 0.25);
     }
 }
 
@@ -131,7 +131,7 @@ TEST(interface_lobes, between_nodes_are_nearly_as_good_as_a_fit_there) {
     }
     const double table = std::sqrt(table_squares / count), here = std::sqrt(fit_squares / count);
     std::printf("    %d taps: from the table %.4f, fitted there %.4f\n", taps, table, here);
-    EXPECT_LT(table, 1.25 * here + 0.005);
+    EXPECT_LT(table, 1.15 * here + 0.005);
   }
 }
 

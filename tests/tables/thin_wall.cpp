@@ -1,0 +1,89 @@
+// Thin walls: the tables against longer walks, against smooth panes, and against what the energy study found.
+#include "tables/thin_wall.h"
+
+#include "core/files.h"
+#include "glsl/f64.h"
+#include "tables/lookup.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gg::tables {
+namespace {
+
+namespace f64 = gg::glsl::f64;
+constexpr double degree = 0.017453292519943295;
+constexpr Model stored_models[] = {models[0], models[1]}; // what assets/tables holds
+
+f64::vec4 texel(const ThinWallTable& table, int tap, double c, double alpha, double eta) {
+  const int taps = std::max(table.taps, 1);
+  const f64::vec3 u = f64::thinWallCoordinate(tap, taps, c, alpha, eta);
+  const auto t = lookup<3>(
+      table.texels, {f64::THIN_WALL_COSINES, f64::THIN_WALL_ALPHAS * taps, f64::THIN_WALL_SLICES},
+      {u.x, u.y, u.z});
+  return {t[0], t[1], t[2], t[3]};
+}
+
+ThinWallTable stored(const Model& model, int taps) {
+  return read_thin_wall(home_directory() / "assets" / "tables", model, taps);
+}
+
+TEST(thin_wall, smooth_panes_pass_what_all_orders_of_reflection_leave) {
+  const ThinWallTable table = stored(models[0], 0);
+  for (double c : {1.0, 0.7, 0.4}) {
+    const double f = f64::fresnelDielectricAt(c, 1.5);
+    const auto e = f64::thinWallEnergy(texel(table, 0, c, 0.0, 1.5));
+    EXPECT_NEAR(e.transmitted, (1.0 - f) / (1.0 + f), 0.01) << c; // of interpolation
+    EXPECT_NEAR(e.transmitted + e.reflected, 1.0, 1e-3) << c;     // of half floats
+  }
+}
+
+TEST(thin_wall, of_alpha_a_fifth_passes_what_the_energy_study_walked) {
+  const ThinWallTable table = stored(models[0], 0);
+  constexpr double read_off = 0.02; // two digits there, interpolation here
+  for (const auto& [angle, passed] :
+       {std::pair{0.0, 0.87}, {55.0, 0.62}, {70.0, 0.41}, {82.0, 0.26}}) {
+    const auto e = f64::thinWallEnergy(texel(table, 0, std::cos(angle * degree), 0.2, 1.5));
+    EXPECT_NEAR(e.transmitted, passed, read_off) << angle;
+  }
+}
+
+TEST(thin_wall, between_nodes_is_what_longer_walks_find) {
+  constexpr double tolerance = 0.02; // of interpolation; the walks are good to 0.004
+  for (const Model& model : stored_models) {
+    const ThinWallTable table = stored(model, 0);
+    for (double eta : {1.3, 1.7})
+      for (double alpha : {0.07, 0.3, 0.8})
+        for (double angle : {10.0, 50.0, 75.0}) {
+          const double c = std::cos(angle * degree);
+          const InterfaceShares exact = through_wall(model, alpha, c, eta, 12000).shares;
+          const auto e = f64::thinWallEnergy(texel(table, 0, c, alpha, eta));
+          EXPECT_NEAR(e.transmitted, exact.transmitted, tolerance) << alpha << ' ' << angle;
+          EXPECT_NEAR(e.reflected, exact.reflected, tolerance) << alpha << ' ' << angle;
+          EXPECT_LE(exact.transmitted + exact.reflected, 1.0) << alpha << ' ' << angle;
+        }
+  }
+}
+
+TEST(thin_wall, lobes_go_straight_on_and_are_as_wide_as_both_faces) {
+  for (const Model& model : stored_models)
+    for (int taps = 1; taps <= most_wall_taps; ++taps) {
+      const ThinWallTable table = stored(model, taps);
+      for (double angle : {0.0, 40.0}) {
+        const double c = std::cos(angle * degree);
+        double weights = 0.0;
+        for (int k = 0; k < taps; ++k) {
+          const auto tap = f64::thinWallTap(texel(table, k, c, 0.03, 1.5), c, 0.03, 1.5);
+          EXPECT_NEAR(tap.angle, angle * degree, 0.01) << angle;
+          EXPECT_GT(tap.sigma, 0.3 * f64::thinWallWidth(c, 0.03, 1.5));
+          EXPECT_LT(tap.sigma, 12.0 * f64::thinWallWidth(c, 0.03, 1.5));
+          weights += tap.weight;
+        }
+        EXPECT_NEAR(weights, 1.0, 2e-3);
+      }
+    }
+}
+
+} // namespace
+} // namespace gg::tables
