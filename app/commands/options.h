@@ -2,8 +2,8 @@
 #pragma once
 
 #include "environment/map.h"
-#include "needs/features.h"
 #include "gpu/device.h"
+#include "needs/features.h"
 #include "scene/scene.h"
 
 #include <filesystem>

@@ -1,10 +1,34 @@
 #include "commands/subject.h"
 
+#include "environment/stack.h"
+#include "needs/needs.h"
+#include "needs/words.h"
 #include "report/key.h"
 
 #include <glm/trigonometric.hpp>
 
+#include <sstream>
+
 namespace gg::commands {
+namespace {
+
+// What `groundglass needs` prints, of the method that does the most.
+std::vector<std::string> needs_of(const report::Loaded& loaded, Size size, bool correlated_smith) {
+  needs::View view{.camera = loaded.camera,
+                   .width = size.width,
+                   .height = size.height,
+                   .samples = 1,
+                   .method = methods().back().method,
+                   .correlated_smith = correlated_smith};
+  if (loaded.environment) view.environment = environment::bytes_of(*loaded.environment);
+  std::istringstream text(needs::text_of(needs::needs_of(loaded.scene, view)));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+} // namespace
 
 report::Subject subject_of(const SceneOptions& o, const std::string& smith) {
   const Size size = parse_size(o.size);
@@ -16,25 +40,27 @@ report::Subject subject_of(const SceneOptions& o, const std::string& smith) {
                               .add(typed_view(view))
                               .add(file ? report::key_of_file(*file) : o.env)
                               .text();
-  return {.name = std::filesystem::path(o.scene).stem().string(),
-          .path = o.scene,
-          .environment = file ? file->filename().string() : o.env,
-          .key = key,
-          .width = size.width,
-          .height = size.height,
-          .load =
-              [o, size] {
-                auto loaded = std::make_unique<report::Loaded>();
-                loaded->scene = load_scene(o);
-                loaded->camera = choose_camera(o, loaded->scene, size);
-                loaded->environment = load_environment(o, loaded->scene);
-                loaded->rotation = glm::radians(o.env_rotation);
-                loaded->intensity = o.env_intensity;
-                return loaded;
-              },
-          .needs = {},
-          .options = in_shell(o.scene) + typed_view(o)
-                     + (smith == "separable" ? "" : " --smith " + smith)};
+  return {
+      .name = std::filesystem::path(o.scene).stem().string(),
+      .path = o.scene,
+      .environment = file ? file->filename().string() : o.env,
+      .key = key,
+      .width = size.width,
+      .height = size.height,
+      .load =
+          [o, size] {
+            auto loaded = std::make_unique<report::Loaded>();
+            loaded->scene = load_scene(o);
+            loaded->camera = choose_camera(o, loaded->scene, size);
+            loaded->environment = load_environment(o, loaded->scene);
+            loaded->rotation = glm::radians(o.env_rotation);
+            loaded->intensity = o.env_intensity;
+            return loaded;
+          },
+      .needs = [size, smith](
+                   const report::Loaded& l) { return needs_of(l, size, smith == "correlated"); },
+      .options =
+          in_shell(o.scene) + typed_view(o) + (smith == "separable" ? "" : " --smith " + smith)};
 }
 
 } // namespace gg::commands

@@ -63,7 +63,8 @@ struct About {
 };
 
 About about(const Subject& subject, const Cache& cache, Shelf& shelf) {
-  const std::string key = Key().add(subject.key).add(key_of_frame_program()).text();
+  const std::string key =
+      Key().add(subject.key).add(subject.options).add(key_of_frame_program()).text();
   if (const auto stored = cache.json("about", key)) try {
       return {stored->at("objects"), stored->at("needs")};
     } catch (const nlohmann::json::exception&) {
