@@ -58,9 +58,9 @@ tables::Model model_of(const scene::Material& material, bool correlated_smith) {
 }
 
 int reflection_taps(Method method, const tables::Model& model) {
-  // Tables of several taps are stored for the model of record; others make do with one.
+  // Tables of three and four taps are stored for the model of record; others make do with two.
   const bool of_record = same(model, tables::models.front());
-  return of_record ? std::max(taps_of(method), 1) : 1;
+  return std::clamp(taps_of(method), 1, of_record ? 4 : 2);
 }
 
 int interface_taps(Method method) {
