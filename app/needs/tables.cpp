@@ -2,6 +2,8 @@
 
 #include "glsl/f32.h"
 
+#include <algorithm>
+
 namespace gg::needs {
 namespace {
 
