@@ -58,8 +58,8 @@ Widening wideningGgx(int taps) {
 // Beckmann's Gaussian slopes are narrower than GGX's of the same alpha: the same spread of rays is worth more of it.
 Widening wideningBeckmann(int taps) {
   Widening k;
-  k.shape = taps > 1 ? 1.3 : 1.2;
-  k.shapeRays = taps > 1 ? 1.6 : 1.2;
+  k.shape = taps > 1 ? 1.0 : 1.2;
+  k.shapeRays = taps > 1 ? 1.3 : 1.2;
   k.energyCore = taps > 1 ? 1.3 : 1.5;
   k.energyTail = 1.6;
   k.reflectedCore = 1.3;
