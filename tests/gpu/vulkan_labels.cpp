@@ -1,5 +1,5 @@
-// That a debugger such as RenderDoc sees names: every object that Vulkan is asked for gets one, and every pass is a labelled
-// group. The entry points that make, name and label are replaced by ones that take note.
+// That a debugger such as RenderDoc sees names: every object that Vulkan is asked for gets one (descriptor sets by their
+// pool's), and every pass is a labelled group. The entry points that make, name and label are replaced by ones that take note.
 #include "gpu/fixture.h"
 #include "gpu/vulkan/context.h"
 #include "gpu/vulkan/device.h"
@@ -57,13 +57,6 @@ GG_NOTE_PIPELINES(CreateGraphicsPipelines, VkGraphicsPipelineCreateInfo)
 GG_NOTE_PIPELINES(CreateComputePipelines, VkComputePipelineCreateInfo)
 #undef GG_NOTE_PIPELINES
 
-VKAPI_ATTR VkResult VKAPI_CALL note_sets(VkDevice device, const VkDescriptorSetAllocateInfo* info,
-                                         VkDescriptorSet* to) {
-  const VkResult result = noted.real.AllocateDescriptorSets(device, info, to);
-  for (std::uint32_t i = 0; i < info->descriptorSetCount; ++i)
-    noted.made[number_of(to[i])] = "AllocateDescriptorSets";
-  return result;
-}
 VKAPI_ATTR VkResult VKAPI_CALL note_command_buffers(VkDevice device,
                                                     const VkCommandBufferAllocateInfo* info,
                                                     VkCommandBuffer* to) {
@@ -100,7 +93,6 @@ std::unique_ptr<Device> listened_to() {
 #undef GG_REPLACE
   vk.CreateGraphicsPipelines = note_CreateGraphicsPipelines;
   vk.CreateComputePipelines = note_CreateComputePipelines;
-  vk.AllocateDescriptorSets = note_sets;
   vk.AllocateCommandBuffers = note_command_buffers;
   instance.SetDebugUtilsObjectNameEXT = note_name;
   instance.CmdBeginDebugUtilsLabelEXT = note_group;
