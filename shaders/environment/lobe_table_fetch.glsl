@@ -1,8 +1,8 @@
 // lobe_table_fetch.glsl: reads the tables of the reflection lobe.
 // Frame    world: n, wo unit; samplers linear, clamped to the edge.
 // alpha    slope width in [0, 1] (clamped).
-// Returns  fetchLobeEnergy, fetchLobeTap (of one), fetchLobeTapOf (of several): see lobe_table.glsl. standardTap: what peers do, the mirror direction at the width of
-//          the lobe at normal incidence.
+// Returns  fetchLobeEnergy, fetchLobeTap (of one), fetchLobeTapOf (of several): see lobe_table.glsl. fetchStandardTap: what
+//          peers do, the mirror direction at the width of the lobe at normal incidence.
 // Source   lobe_table.glsl.
 // Limits   those of lobe_table.glsl.
 #ifndef GG_ENVIRONMENT_LOBE_TABLE_FETCH_GLSL
