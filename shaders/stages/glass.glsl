@@ -339,6 +339,7 @@ vec3 glassRadiance(GlassBeams beams, WeightedBeam mirror) {
         if (group == 2 && wanted.y == 0.0) ++group;
         if (group == 3 && wanted.z == 0.0) ++group;
     }
-    if (largest(mirror.weight) > 0.0) sum += (1.0 - wanted.y) * mirror.weight * farRadiance(mirror.beam.direction, mirror.beam.sigma);
+    if (largest(mirror.weight) > 0.0)
+        sum += (1.0 - wanted.y) * mirror.weight * farRadiance(mirror.beam.direction, mirror.beam.sigma);
     return sum + (1.0 - wanted.z) * beams.leftOver.weight * wideRadiance(beams.leftOver.beam.direction);
 }

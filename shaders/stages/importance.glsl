@@ -5,7 +5,10 @@
 // Source   [ColbertKrivanek07]; sigma = 0.35 / sqrt(N pdf) for Gaussian levels. GGX facets whatever the distribution: Beckmann's
 //          and Phong's are weighted by the ratio of the D.
 
-vec2 hammersley(int i, int n) { return vec2((float(i) + 0.5) / float(n), float(bitfieldReverse(uint(i))) * exp2(-32.0) + 0.5 / float(n)); }
+vec2 hammersley(int i, int n) {
+    float inverse = float(bitfieldReverse(uint(i))) * exp2(-32.0); // radical inverse in base 2
+    return vec2((float(i) + 0.5) / float(n), inverse + 0.5 / float(n));
+}
 
 // Columns x, y, n of a frame about n, after [Duff17]'s branchless one.
 mat3 frameAbout(vec3 n) {

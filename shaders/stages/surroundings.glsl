@@ -234,15 +234,13 @@ vec3 beamRadiance(Beam beam, Meeting meeting) {
     if (meeting.seen && clip.w > 0.0) {
         vec3 fromEye = ends ? place.xyz - frame.eye.xyz : beam.direction;
         float range = length(fromEye);
+        float metres = ends ? sqrt(beamVariance(beam.sigma, beam.carried, beam.inner, beam.inside, meeting.distance)) : 0.0;
         float pixels; // sigma
         if (frame.eye.w > 0.0) {
-            float angle = ends ? sqrt(beamVariance(beam.sigma, beam.carried, beam.inner, beam.inside, meeting.distance)) / range
-                               : beam.sigma;
-            pixels = angle * pixelsPerRadian(frame.picture.z, min(clip.w / range, 1.0));
+            pixels = (ends ? metres / range : beam.sigma) * pixelsPerRadian(frame.picture.z, min(clip.w / range, 1.0));
         } else {
             // An orthographic camera sees one direction of the sky only: the rest is the environment's business.
-            pixels = ends ? sqrt(beamVariance(beam.sigma, beam.carried, beam.inner, beam.inside, meeting.distance)) * frame.picture.z
-                          : 0.0;
+            pixels = metres * frame.picture.z;
         }
         pixels *= sqrt(meeting.foreshortening);
         vec2 at = pixelOf(clip);
