@@ -1,7 +1,7 @@
 #include "frame/renderer.h"
 
 #include "environment/stack.h"
-#include "frame/camera.h"
+#include "uniforms/camera.h"
 
 #include <cmath>
 #include <cstring>
@@ -78,12 +78,12 @@ void Renderer::make_frame_blocks() {
   const scene::Camera& camera = desc_.camera;
   const double aspect = static_cast<double>(desc_.width) / desc_.height;
   const glm::dmat4 clip_from_world = needs::clip_from_world(needs_.view);
-  std::vector<FrameData> frames;
+  std::vector<uniforms::FrameData> frames;
   for (int i = 0; i < desc_.samples; ++i) {
-    const glm::dvec2 at = sample_position(i, desc_.samples);
+    const glm::dvec2 at = uniforms::sample_position(i, desc_.samples);
     const glm::dmat4 clip =
-        offset_by_pixels(at.x, at.y, desc_.width, desc_.height) * clip_from_world;
-    FrameData f{};
+        uniforms::offset_by_pixels(at.x, at.y, desc_.width, desc_.height) * clip_from_world;
+    uniforms::FrameData f{};
     f.clipFromWorld = glm::mat4(clip);
     f.worldFromClip = glm::mat4(glm::inverse(clip));
     f.eye = glm::vec4(glm::vec3(camera.world[3]), camera.orthographic ? 0.0f : 1.0f);
@@ -92,10 +92,10 @@ void Renderer::make_frame_blocks() {
                      desc_.environment.intensity, 0.0f};
     if (desc_.environment.stack) f.stack = desc_.environment.stack->shape;
     f.picture = {desc_.width, desc_.height,
-                 0.5 * clip_from_view(camera, aspect)[1][1] * desc_.height,
+                 0.5 * uniforms::clip_from_view(camera, aspect)[1][1] * desc_.height,
                  backdrop_ ? backdrop_->last_level() : 0};
-    f.boundsLow = vec4(needs_.bounds.low, 0.0f);
-    f.boundsHigh = vec4(needs_.bounds.high, 0.0f);
+    f.boundsLow = glm::vec4(needs_.bounds.low, 0.0f);
+    f.boundsHigh = glm::vec4(needs_.bounds.high, 0.0f);
     f.counts = {static_cast<int>(needs_.scene->lights.size()), 0, 0, 0};
     frames.push_back(f);
   }

@@ -17,7 +17,7 @@ std::span<const std::byte> bytes(const std::vector<T>& values) {
   return std::as_bytes(std::span(values));
 }
 
-void set_rows(const Slot& slot, vec4& row0, vec4& row1) {
+void set_rows(const Slot& slot, glm::vec4& row0, glm::vec4& row1) {
   const glm::mat3& t = slot.transform; // columns
   row0 = {t[0][0], t[1][0], t[2][0], 0.0f};
   row1 = {t[0][1], t[1][1], t[2][1], slot.scale};
@@ -34,18 +34,18 @@ glm::vec3 absorption_of(const Material& m) {
   return -glm::log(color) / m.attenuation_distance;
 }
 
-MaterialData block_of(const Material& m) {
-  MaterialData block{};
+uniforms::MaterialData block_of(const Material& m) {
+  uniforms::MaterialData block{};
   block.baseColor = m.base_color;
-  block.emissive = vec4(m.emissive, m.alpha_cutoff);
+  block.emissive = glm::vec4(m.emissive, m.alpha_cutoff);
   block.surface = {m.metallic, m.roughness, scene::microfacet_alpha(m), m.ior};
-  block.specular = vec4(m.specular_color, m.specular);
+  block.specular = glm::vec4(m.specular_color, m.specular);
   if (m.conductor) {
-    block.conductorN = vec4(m.conductor->n, 0.0f);
-    block.conductorK = vec4(m.conductor->k, 0.0f);
+    block.conductorN = glm::vec4(m.conductor->n, 0.0f);
+    block.conductorK = glm::vec4(m.conductor->k, 0.0f);
   }
   block.transmission = {m.transmission, m.back_alpha.value_or(-1.0f), m.dispersion, 0.0f};
-  block.attenuation = vec4(absorption_of(m), m.thickness);
+  block.attenuation = glm::vec4(absorption_of(m), m.thickness);
   set_rows(m.base_color_map, block.baseColorRow0, block.baseColorRow1);
   set_rows(m.metallic_roughness_map, block.metallicRoughnessRow0, block.metallicRoughnessRow1);
   set_rows(m.normal_map, block.normalRow0, block.normalRow1);
@@ -58,13 +58,13 @@ MaterialData block_of(const Material& m) {
   return block;
 }
 
-LightData block_of(const scene::Light& light) {
-  LightData block{};
-  block.position = vec4(light.position, std::isfinite(light.range) && light.range > 0.0f
-                                            ? 1.0f / (light.range * light.range)
-                                            : 0.0f);
-  block.direction = vec4(light.direction, static_cast<float>(light.kind));
-  block.intensity = vec4(light.intensity, 0.0f);
+uniforms::LightData block_of(const scene::Light& light) {
+  uniforms::LightData block{};
+  block.position = glm::vec4(light.position, std::isfinite(light.range) && light.range > 0.0f
+                                                 ? 1.0f / (light.range * light.range)
+                                                 : 0.0f);
+  block.direction = glm::vec4(light.direction, static_cast<float>(light.kind));
+  block.intensity = glm::vec4(light.intensity, 0.0f);
   // KHR_lights_punctual, "Spot light": falloff = saturate(cos * scale + offset)². The extension
   // divides by at least 0.001 so that equal cones make a sharp edge instead of a division by 0.
   const float scale =
@@ -73,8 +73,8 @@ LightData block_of(const scene::Light& light) {
   return block;
 }
 
-InstanceData block_of(const scene::Instance& instance, std::size_t index) {
-  InstanceData block{};
+uniforms::InstanceData block_of(const scene::Instance& instance, std::size_t index) {
+  uniforms::InstanceData block{};
   block.worldFromMesh = instance.world;
   // A singular transform (scale 0 along an axis) has no inverse; such a mesh is flat and its
   // normals are not lit, but the numbers must stay finite.
@@ -148,18 +148,18 @@ void UploadedScene::upload_geometry(gpu::Device& device) {
 }
 
 void UploadedScene::upload_blocks(gpu::Device& device) {
-  std::vector<MaterialData> materials;
+  std::vector<uniforms::MaterialData> materials;
   for (const Material* m : needs_.draws.materials) {
     materials.push_back(block_of(*m));
     materials.back().transmission.w = static_cast<float>(materials.size() - 1);
   }
   materials_ = upload_uniforms(device, "materials", materials);
-  std::vector<InstanceData> instances;
+  std::vector<uniforms::InstanceData> instances;
   for (const scene::Instance* i : needs_.draws.instances)
     instances.push_back(block_of(*i, instances.size()));
   instances_ = upload_uniforms(device, "instances", instances);
 
-  std::vector<LightData> lights;
+  std::vector<uniforms::LightData> lights;
   for (const scene::Light& light : needs_.scene->lights)
     lights.push_back(block_of(light));
   if (lights.empty()) lights.emplace_back();

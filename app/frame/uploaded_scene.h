@@ -1,11 +1,11 @@
 // A scene on the device: every stream, index list and image that its frame reads, once, whoever shares it.
 #pragma once
 
-#include "frame/blocks.h"
 #include "frame/uniform_array.h"
 #include "gpu/device.h"
 #include "needs/needs.h"
 #include "scene/scene.h"
+#include "uniforms/blocks.h"
 
 #include <map>
 #include <utility>

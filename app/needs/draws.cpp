@@ -1,8 +1,8 @@
 #include "needs/draws.h"
 
-#include "frame/camera.h"
 #include "needs/tables.h"
 #include "scene/solid_shape.h"
+#include "uniforms/camera.h"
 
 #include <algorithm>
 #include <map>
@@ -107,7 +107,7 @@ std::size_t place_in(std::vector<const T*>& list, std::map<const T*, std::size_t
 
 glm::dmat4 clip_from_world(const View& view) {
   const double aspect = static_cast<double>(view.width) / view.height;
-  return frame::clip_from_view(view.camera, aspect) * frame::view_from_world(view.camera);
+  return uniforms::clip_from_view(view.camera, aspect) * uniforms::view_from_world(view.camera);
 }
 
 bool is_outside(const scene::Bounds& bounds, const glm::dmat4& clip_from_world, int width,

@@ -1,6 +1,6 @@
 #include "needs/needs.h"
 
-#include "frame/blocks.h"
+#include "uniforms/blocks.h"
 
 #include <algorithm>
 
@@ -144,10 +144,10 @@ std::vector<Share> memory_of(const Needs& needs) {
   for (const Target& target : needs.targets)
     targets += bytes_of(target);
   const std::size_t blocks =
-      padded<frame::FrameData>(static_cast<std::size_t>(needs.view.samples))
-      + padded<frame::MaterialData>(needs.draws.materials.size())
-      + padded<frame::InstanceData>(needs.draws.instances.size())
-      + std::max<std::size_t>(scene.lights.size(), 1) * sizeof(frame::LightData);
+      padded<uniforms::FrameData>(static_cast<std::size_t>(needs.view.samples))
+      + padded<uniforms::MaterialData>(needs.draws.materials.size())
+      + padded<uniforms::InstanceData>(needs.draws.instances.size())
+      + std::max<std::size_t>(scene.lights.size(), 1) * sizeof(uniforms::LightData);
   return {{"environment", needs.view.environment.value_or(0)},
           {"tables", tables},
           {"maps", maps},

@@ -1,4 +1,4 @@
-// From a pixel to a ray: the inverse of the raster's matrices (app/frame/camera.h).
+// From a pixel to a ray: the inverse of the raster's matrices (app/uniforms/camera.h).
 #pragma once
 
 #include "scene/scene.h"

@@ -1,4 +1,4 @@
-// frame.glsl: what every draw of a frame shares. One text for GLSL and C++ (app/frame/blocks.h).
+// frame.glsl: what every draw of a frame shares. One text for GLSL and C++ (app/uniforms/blocks.h).
 // Layout   only vec4, ivec4 and mat4, so that std140 and C++ agree without padding rules.
 
 struct FrameData {

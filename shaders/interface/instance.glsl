@@ -1,4 +1,4 @@
-// instance.glsl: where one mesh stands. One text for GLSL and C++ (app/frame/blocks.h).
+// instance.glsl: where one mesh stands. One text for GLSL and C++ (app/uniforms/blocks.h).
 
 struct InstanceData {
     mat4 worldFromMesh;

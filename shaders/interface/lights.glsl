@@ -1,4 +1,4 @@
-// lights.glsl: punctual lights (KHR_lights_punctual). One text for GLSL and C++ (app/frame/blocks.h).
+// lights.glsl: punctual lights (KHR_lights_punctual). One text for GLSL and C++ (app/uniforms/blocks.h).
 
 struct LightData {
     vec4 position;  // xyz: metres; w: 1 / range², 0 without a range

@@ -1,4 +1,4 @@
-// material.glsl: the numbers of one material. One text for GLSL and C++ (app/frame/blocks.h).
+// material.glsl: the numbers of one material. One text for GLSL and C++ (app/uniforms/blocks.h).
 // What a material does not use is switched off by the specialization constants of stages/material_features.glsl, not by
 // values here.
 

@@ -1,10 +1,10 @@
 #include "interior/probe.h"
 
-#include "frame/blocks.h"
-#include "frame/camera.h"
 #include "frame/interior.h"
 #include "frame/uniform_array.h"
 #include "needs/needs.h"
+#include "uniforms/blocks.h"
+#include "uniforms/camera.h"
 
 #include <algorithm>
 #include <cstring>
@@ -12,11 +12,11 @@
 namespace gg::test {
 namespace {
 
-frame::FrameData frame_block(const ProbeDesc& desc) {
+uniforms::FrameData frame_block(const ProbeDesc& desc) {
   const double aspect = static_cast<double>(desc.width) / desc.height;
   const glm::dmat4 clip =
-      frame::clip_from_view(desc.camera, aspect) * frame::view_from_world(desc.camera);
-  frame::FrameData f{};
+      uniforms::clip_from_view(desc.camera, aspect) * uniforms::view_from_world(desc.camera);
+  uniforms::FrameData f{};
   f.clipFromWorld = glm::mat4(clip);
   f.worldFromClip = glm::mat4(glm::inverse(clip));
   f.eye = glm::vec4(glm::vec3(desc.camera.world[3]), desc.camera.orthographic ? 0.0f : 1.0f);

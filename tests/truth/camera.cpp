@@ -1,7 +1,7 @@
 // Rays go through the points of the picture where the raster's matrices put what they meet.
 #include "truth/camera.h"
 
-#include "frame/camera.h"
+#include "uniforms/camera.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ void expect_same_pixels(const scene::Camera& view) {
   constexpr double rounding = 320 * 2e-6;
   const truth::Camera camera(view, width, height);
   const glm::dmat4 clip_from_world =
-      frame::clip_from_view(view, static_cast<double>(width) / height)
-      * frame::view_from_world(view);
+      uniforms::clip_from_view(view, static_cast<double>(width) / height)
+      * uniforms::view_from_world(view);
   for (const double x : {0.0, 17.25, 160.0, 320.0})
     for (const double y : {0.0, 91.5, 180.0}) {
       const truth::Ray ray = camera.through(x, y);

@@ -1,11 +1,11 @@
-#include "frame/camera.h"
+#include "uniforms/camera.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
 #include <cstdint>
 
-namespace gg::frame {
+namespace gg::uniforms {
 
 glm::dmat4 clip_from_view(const scene::Camera& camera, double aspect) {
   glm::dmat4 m(0.0);
@@ -51,4 +51,4 @@ glm::dvec2 sample_position(int i, int count) {
   return {(i + 0.5) / count - 0.5, radical_inverse + 0.5 / count - 0.5};
 }
 
-} // namespace gg::frame
+} // namespace gg::uniforms

@@ -3,7 +3,7 @@
 
 #include "scene/scene.h"
 
-namespace gg::frame {
+namespace gg::uniforms {
 
 // Clip space of app/gpu/types.h with reversed depth: 1 at the near plane, 0 at the far plane or at
 // infinity, where floating point then has its digits (depth is about near / distance). `aspect` is
@@ -20,4 +20,4 @@ glm::dmat4 offset_by_pixels(double x, double y, int width, int height);
 // centre. One sample is the centre itself.
 glm::dvec2 sample_position(int i, int count);
 
-} // namespace gg::frame
+} // namespace gg::uniforms

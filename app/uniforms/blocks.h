@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace gg::frame {
+namespace gg::uniforms {
 
 using glm::ivec4;
 using glm::mat4;
@@ -23,4 +23,4 @@ static_assert(offsetof(InstanceData, normalFromMesh) == 64 && sizeof(InstanceDat
 static_assert(offsetof(LightData, cone) == 48 && sizeof(LightData) == 64);
 static_assert(offsetof(MaterialData, baseColorRow0) == 128 && sizeof(MaterialData) == 416);
 
-} // namespace gg::frame
+} // namespace gg::uniforms
