@@ -1,6 +1,7 @@
 #include "commands/auto_method.h"
 
 #include "commands/subject.h"
+#include "core/cache_directory.h"
 #include "core/error.h"
 #include "report/cache.h"
 #include "report/frames.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace gg::commands {
 namespace {
@@ -21,12 +21,8 @@ namespace fs = std::filesystem;
 
 // Where measurements are kept; without a home, as long as the temporary directory lasts.
 fs::path measurements() {
-  // Relative paths are to be ignored, says the XDG base directory specification.
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && cache[0] == '/')
-    return fs::path(cache) / "groundglass" / "auto";
-  if (const char* home = std::getenv("HOME"); home && home[0] == '/')
-    return fs::path(home) / ".cache" / "groundglass" / "auto";
-  return fs::temp_directory_path() / "groundglass-auto";
+  const auto cache = cache_directory();
+  return cache ? *cache / "auto" : fs::temp_directory_path() / "groundglass-auto";
 }
 
 void check(const MethodOptions& o) {

@@ -1,10 +1,10 @@
 #include "gpu/vulkan/pipeline_cache.h"
 
+#include "core/cache_directory.h"
 #include "core/files.h"
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <string_view>
 
@@ -26,15 +26,6 @@ std::uint64_t checksum_of(std::span<const std::byte> data) {
   for (const std::byte byte : data)
     hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3ull;
   return hash;
-}
-
-std::optional<std::filesystem::path> cache_directory() {
-  // Relative paths are to be ignored, says the XDG base directory specification.
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && cache[0] == '/')
-    return std::filesystem::path(cache) / "groundglass";
-  if (const char* home = std::getenv("HOME"); home && home[0] == '/')
-    return std::filesystem::path(home) / ".cache" / "groundglass";
-  return std::nullopt;
 }
 
 } // namespace

@@ -11,8 +11,7 @@
 
 namespace gg::gpu::vulkan {
 
-// Where the file of a device lies: $XDG_CACHE_HOME/groundglass or ~/.cache/groundglass, one file
-// per device and driver. Nothing if there is neither directory.
+// Where the file of a device lies in the cache directory: one file per device and driver. Nothing if there is no such directory.
 std::optional<std::filesystem::path> cache_file(const Abilities& abilities);
 
 // A driver's data with a checksum around it: drivers look at the first few bytes only before they
