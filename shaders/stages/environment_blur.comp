@@ -1,18 +1,12 @@
 // environment_blur.comp: one Gaussian step on the lattice of a cube level.
-// A row of weights that adds up to 1 keeps constants; to keep the mean, what a texel gives must add up to 1 as well, which
-// a lattice with edges does not grant (0.3 % at a face's edge, step after step). The kernel being symmetric, one factor b
-// per texel mends both: b(d) sum of k(d, s) b(s) area(s) = 1 [Knight08, symmetric balancing]. Three steps of
-// b = sqrt(b / sum) starting from 1 find it; a texel's weight is then area times b.
+// Weights that keep constants and the mean come from the host (app/environment/face_balance.h).
 #version 450
 #include "environment/heat_kernel.glsl"
 #include "interface/environment_step.glsl"
-#include "stages/environment_balance.glsl"
 #include "stages/environment_weigh.glsl"
 #include "stages/half_float.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-
-layout(constant_id = 0) const bool balancing = false; // a step of the balance, else the blur
 
 layout(binding = 1) uniform sampler2DArray weighted; // of the step before (environment_weigh.glsl)
 layout(binding = 3, rgba16f) uniform writeonly imageCube result;
@@ -26,8 +20,7 @@ void main() {
     ivec3 id = ivec3(gl_GlobalInvocationID);
     ivec2 at = 2 * id.xy;
     int size = environmentStep.sizes.x;
-    int side = balancing ? size / 2 : size;
-    if (at.x >= side || at.y >= side) return;
+    if (at.x >= size || at.y >= size) return;
     Quad own = quad(id.z, at, size);
 
     // What halving has added varies over a face, by the area that it averaged: z³ relative to that of the texel at the
@@ -58,29 +51,17 @@ void main() {
                 float added = environmentStep.kernel.w * z * z * z;
                 vec4 kernel = kernelOf(chord2, inverse * (1.0 + added + added * added));
                 kernel = mix(kernel, vec4(0.0), greaterThan(chord2, vec4(limit)));
-                if (balancing) {
-                    total += kernel * texelFetch(weights, ivec2(x, y), 0).x;
-                } else {
-                    vec4 texel = texelFetch(weighted, ivec3(x, y, face), 0);
-                    red += kernel * texel.x;
-                    green += kernel * texel.y;
-                    blue += kernel * texel.z;
-                    total += kernel * texel.w;
-                }
+                vec4 texel = texelFetch(weighted, ivec3(x, y, face), 0);
+                red += kernel * texel.x;
+                green += kernel * texel.y;
+                blue += kernel * texel.z;
+                total += kernel * texel.w;
             }
         }
     }
-    if (balancing) {
-        for (int k = 0; k < 4; k++) {
-            ivec2 texel = quadTexel(at, k);
-            float area = cubeTexelSolidAngle(texel.x, texel.y, size);
-            keepWeight(texel, size, sqrt(area * texelFetch(weights, texel, 0).x / total[k]));
-        }
-    } else {
-        red = roundToHalfFour(red / total);
-        green = roundToHalfFour(green / total);
-        blue = roundToHalfFour(blue / total);
-        for (int k = 0; k < 4; k++) imageStore(result, ivec3(quadTexel(at, k), id.z), vec4(red[k], green[k], blue[k], 1.0));
-        weighQuad(ivec3(at, id.z), size, environmentStep.sizes.y, red, green, blue);
-    }
+    red = roundToHalfFour(red / total);
+    green = roundToHalfFour(green / total);
+    blue = roundToHalfFour(blue / total);
+    for (int k = 0; k < 4; k++) imageStore(result, ivec3(quadTexel(at, k), id.z), vec4(red[k], green[k], blue[k], 1.0));
+    weighQuad(ivec3(at, id.z), size, environmentStep.sizes.y, red, green, blue);
 }

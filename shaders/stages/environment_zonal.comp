@@ -1,20 +1,17 @@
 // environment_zonal.comp: convolution with any kernel of the angle, over all pairs of texels: the widest Gaussians, where a
 // plane is no likeness of the sphere any more, and the cosine of diffuse light.
-// Weights keep both constants and the mean after [SinkhornKnopp67]'s balancing: on the lattice of the results and on that of
-// the source in turn, a texel's weight is its area over what it gets, sum of k weight; at first it is the area.
+// Weights that keep constants and the mean come from the host (app/environment/face_balance.h).
 #version 450
 #include "interface/environment_step.glsl"
-#include "stages/environment_balance.glsl"
 #include "stages/environment_quad.glsl"
 #include "stages/half_float.glsl"
 
 layout(local_size_x = 4, local_size_y = 4) in;
 
-layout(constant_id = 0) const bool balancing = false; // a step of the balance, else the convolution
-
 layout(binding = 1) uniform sampler2DArray source;
 layout(binding = 2) uniform sampler2D kernels; // k over half the chord, one row per kernel
 layout(binding = 3, rgba16f) uniform writeonly imageCube result;
+layout(binding = 4) uniform sampler2D weights; // of the source, one face as all are alike
 
 vec4 kernelOf(vec4 chord2, int row) {
     int last = textureSize(kernels, 0).x - 1;
@@ -28,8 +25,7 @@ void main() {
     ivec2 at = 2 * id.xy;
     int size = environmentStep.sizes.x;
     int other = environmentStep.sizes.y;
-    int side = balancing ? size / 2 : size;
-    if (at.x >= side || at.y >= side) return;
+    if (at.x >= size || at.y >= size) return;
     Quad own = quad(id.z, at, size);
     int row = environmentStep.sizes.z;
 
@@ -46,23 +42,17 @@ void main() {
                 float z = inversesqrt(1.0 + s * s + t * t);
                 vec4 weight = kernelOf(quadChord2(local, vec3(s * z, t * z, z)), row) * texelFetch(weights, ivec2(x, y), 0).x;
                 total += weight;
-                if (!balancing) {
-                    vec4 texel = texelFetch(source, ivec3(x, y, face), 0);
-                    red += weight * texel.x;
-                    green += weight * texel.y;
-                    blue += weight * texel.z;
-                }
+                vec4 texel = texelFetch(source, ivec3(x, y, face), 0);
+                red += weight * texel.x;
+                green += weight * texel.y;
+                blue += weight * texel.z;
             }
         }
     }
     for (int k = 0; k < 4; k++) {
         ivec2 texel = quadTexel(at, k);
-        if (balancing) {
-            keepWeight(texel, size, cubeTexelSolidAngle(texel.x, texel.y, size) / total[k]);
-        } else {
-            // The cosine's kernel rings below 0 by less than a thousandth of its peak: light does not.
-            vec3 mean = max(vec3(red[k], green[k], blue[k]) / total[k], vec3(0.0));
-            imageStore(result, ivec3(texel, id.z), vec4(roundToHalfRgb(mean), 1.0));
-        }
+        // The cosine's kernel rings below 0 by less than a thousandth of its peak: light does not.
+        vec3 mean = max(vec3(red[k], green[k], blue[k]) / total[k], vec3(0.0));
+        imageStore(result, ivec3(texel, id.z), vec4(roundToHalfRgb(mean), 1.0));
     }
 }
