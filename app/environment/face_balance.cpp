@@ -88,8 +88,9 @@ void read_around(int x, int y, int size, const Triangle& triangle, const glm::dv
 
 std::vector<float> blur_weights(int size, const glm::vec4& kernel) {
   // The kernel being symmetric, one factor b per texel mends rows and columns both: b(d) sum of k(d, s) b(s) area(s) = 1
-  // [Knight08, symmetric balancing]. Three steps of b = sqrt(b / sum) starting from 1 find it; kept is area times b.
-  constexpr int steps = 3;
+  // [Knight08, symmetric balancing]. Steps of b = sqrt(b / sum) starting from 1 find it; what is left after six is
+  // below 1e-4. Kept is area times b.
+  constexpr int steps = 6;
   const Triangle triangle(size);
   const std::vector<double> areas = triangle.areas();
   std::vector<Reading> readings;
@@ -115,8 +116,8 @@ std::vector<float> blur_weights(int size, const glm::vec4& kernel) {
 
 std::vector<float> zonal_weights(int size, int source_size, std::span<const float> kernel) {
   // On the lattice of the results and on that of the source in turn, a texel's weight is its area over what it gets, the sum of
-  // kernel times weight [SinkhornKnopp67]. Of the wide kernels, what is left after four rounds is below 1e-4.
-  constexpr int rounds = 4;
+  // kernel times weight [SinkhornKnopp67]. What is left after eight rounds is below 1e-4.
+  constexpr int rounds = 8;
   const Triangle results(size), sources(source_size);
   const std::vector<double> result_areas = results.areas(), source_areas = sources.areas();
   // Row by row of the results: the kernel to a texel of the source, summed over its images. And over the images of both, which

@@ -39,20 +39,30 @@ gpu::TextureDesc cube_desc(const std::string& label, int size, int level_count,
           .use = gpu::Use::sampled | gpu::Use::storage | gpu::Use::read_back};
 }
 
-// What the host works out while shaders are compiled.
-struct Prepared {
+// What the host works out for a step's shader: of the sharp level while that is compiled, of all others while the device is busy
+// with the sharp one.
+struct Sharp {
   EquirectLattice lattice;
-  std::vector<std::vector<float>> blur_weights; // of each step, one face (face_balance.h)
+  std::vector<float> next_weights; // of the first blur
+};
+
+Sharp prepare_sharp(const Map& map, const StackPlan& plan, float unit) {
+  const Blur& next = plan.blurs.front();
+  return {equirect_lattice(map, face_of(map), unit, sharp_sigma(map), equirect_reach),
+          blur_weights(next.to.size, next.step.kernel)};
+}
+
+struct Blurred {
+  std::vector<std::vector<float>> weights; // of each blur but the first, one face (face_balance.h)
   // Of the steps over all pairs, the irradiance's last: the kernels, row by row, and the source's weights.
   std::vector<float> kernels;
   std::vector<std::vector<float>> pair_weights;
 };
 
-Prepared prepare(const Map& map, const StackPlan& plan, float unit) {
-  Prepared p;
-  p.lattice = equirect_lattice(map, face_of(map), unit, sharp_sigma(map), equirect_reach);
-  for (const Blur& b : plan.blurs)
-    p.blur_weights.push_back(blur_weights(b.to.size, b.step.kernel));
+Blurred prepare_blurred(const StackPlan& plan) {
+  Blurred p;
+  for (std::size_t i = 1; i < plan.blurs.size(); ++i)
+    p.weights.push_back(blur_weights(plan.blurs[i].to.size, plan.blurs[i].step.kernel));
   const auto pairs = [&](int size, int source_size, const std::vector<float>& kernel) {
     p.kernels.insert(p.kernels.end(), kernel.begin(), kernel.end());
     p.pair_weights.push_back(zonal_weights(size, source_size, kernel));
@@ -73,8 +83,9 @@ public:
 
 private:
   void create_cubes();
-  void blur(const Prepared& prepared);
-  void convolve(const Prepared& prepared);
+  void sharp(const Sharp& prepared);
+  void blur(const Blurred& prepared);
+  void convolve(const Blurred& prepared);
   gpu::View faces(const Place& place) const {
     return {.texture = place.odd ? stack_.odd : stack_.even,
             .level = place.level,
@@ -84,16 +95,24 @@ private:
   }
   gpu::TextureRef cube(const std::string& label, int size, int level_count,
                        gpu::Format format = gpu::Format::rgba16f);
+  // One face of a blur's weights.
+  gpu::View face(const Blur& blur, std::span<const float> weights) {
+    return filled("weights", blur.to.size, blur.to.size, gpu::Format::r32f, weights);
+  }
   gpu::View filled(const std::string& label, int width, int height, gpu::Format format,
                    std::span<const float> values);
+  gpu::PipelineRef compute(const std::string& stage) {
+    return device_.create(gpu::ComputeDesc{stage, stage, {}});
+  }
 
   gpu::Device& device_;
   Map map_;
   StackPlan plan_;
   int face_;
   Stack stack_;
-  gpu::PipelineRef equirect_, blur_, zonal_;
   Steps steps_;
+  // In turn: what a step hands on to the next blur, radiance times weight and the weight.
+  gpu::View handed_[2];
 };
 
 Builder::Builder(gpu::Device& device, const Map& map)
@@ -127,37 +146,38 @@ void Builder::create_cubes() {
   stack_.odd = cube("environment, odd levels", face_ / 2, even_levels - 1);
   stack_.irradiance = cube("irradiance", irradiance_face, 1);
   stack_.sampler = device_.create(gpu::SamplerDesc{.between_levels = gpu::Filter::linear});
+  for (gpu::View& view : handed_)
+    view = gpu::whole(cube("weighted", face_ / 2, 1, gpu::Format::rgba32f));
 }
 
-// The sharp level, and from level to level by Gaussian steps. Each hands on to the next what that reads: radiance times weight.
-void Builder::blur(const Prepared& prepared) {
-  const std::vector<Blur>& blurs = plan_.blurs;
-  gpu::View handed[2]; // in turn
-  for (gpu::View& view : handed)
-    view = gpu::whole(cube("weighted", face_ / 2, 1, gpu::Format::rgba32f));
-  std::vector<gpu::View> weights;
-  for (std::size_t i = 0; i < blurs.size(); ++i)
-    weights.push_back(filled("weights", blurs[i].to.size, blurs[i].to.size, gpu::Format::r32f,
-                             prepared.blur_weights[i]));
-  weights.push_back(weights.back()); // bound in the last step, which does not read it
-
+void Builder::sharp(const Sharp& prepared) {
   const EquirectLattice& lattice = prepared.lattice;
-  steps_.add("environment: cube", equirect_, plan_.sharp,
+  steps_.add("environment: cube", compute("environment_equirect.comp"), plan_.sharp,
              {{"equirect",
                filled(map_.name, map_.width, map_.height, gpu::Format::rgba32f, lattice.texels)},
               {"rows", filled("rows", map_.width, 3, gpu::Format::rgba32f, lattice.rows)},
-              {"nextWeights", weights[0]}},
-             {{"result", faces({false, 0, face_})}, {"weightedResult", handed[0]}},
+              {"nextWeights", face(plan_.blurs.front(), prepared.next_weights)}},
+             {{"result", faces({false, 0, face_})}, {"weightedResult", handed_[0]}},
              groups(face_, quads_group));
-  for (std::size_t i = 0; i < blurs.size(); ++i)
-    steps_.add("environment: blur", blur_, blurs[i].step,
-               {{"weighted", handed[i % 2]}, {"nextWeights", weights[i + 1]}},
-               {{"result", faces(blurs[i].to)}, {"weightedResult", handed[(i + 1) % 2]}},
-               groups(blurs[i].to.size, quads_group));
+}
+
+void Builder::blur(const Blurred& prepared) {
+  const gpu::PipelineRef pipeline = compute("environment_blur.comp");
+  gpu::View next;
+  for (std::size_t i = 0; i < plan_.blurs.size(); ++i) {
+    // The last step reads no weights, but must have some bound.
+    if (i < prepared.weights.size()) next = face(plan_.blurs[i + 1], prepared.weights[i]);
+    const Blur& blur = plan_.blurs[i];
+    steps_.add("environment: blur", pipeline, blur.step,
+               {{"weighted", handed_[i % 2]}, {"nextWeights", next}},
+               {{"result", faces(blur.to)}, {"weightedResult", handed_[(i + 1) % 2]}},
+               groups(blur.to.size, quads_group));
+  }
 }
 
 // The widest levels and the irradiance, over all pairs.
-void Builder::convolve(const Prepared& prepared) {
+void Builder::convolve(const Blurred& prepared) {
+  const gpu::PipelineRef pipeline = compute("environment_zonal.comp");
   const gpu::View kernels =
       filled("kernels", kernel_samples, static_cast<int>(prepared.pair_weights.size()),
              gpu::Format::r32f, prepared.kernels);
@@ -165,7 +185,7 @@ void Builder::convolve(const Prepared& prepared) {
   const auto pairs = [&](const Place& from, const gpu::View& to, int size) {
     EnvironmentStep step{};
     step.sizes = {size, from.size, row, 0};
-    steps_.add("environment: wide", zonal_, step,
+    steps_.add("environment: wide", pipeline, step,
                {{"kernels", kernels},
                 {"source", faces(from)},
                 {"weights", filled("weights", from.size, from.size, gpu::Format::r32f,
@@ -180,18 +200,15 @@ void Builder::convolve(const Prepared& prepared) {
 
 Stack Builder::build(std::vector<gpu::PassTime>* times) {
   device_.expect(stages);
-  auto prepared =
-      std::async(std::launch::async, prepare, std::cref(map_), std::cref(plan_), stack_.unit);
+  auto for_sharp =
+      std::async(std::launch::async, prepare_sharp, std::cref(map_), std::cref(plan_), stack_.unit);
   create_cubes();
-  const auto compute = [this](const std::string& stage) {
-    return device_.create(gpu::ComputeDesc{stage, stage, {}});
-  };
-  equirect_ = compute(stages[0]);
-  blur_ = compute(stages[1]);
-  zonal_ = compute(stages[2]);
-  const Prepared ready = prepared.get();
-  blur(ready);
-  convolve(ready);
+  sharp(for_sharp.get());
+  auto for_blurred = std::async(std::launch::async, prepare_blurred, std::cref(plan_));
+  steps_.run(times);
+  const Blurred prepared = for_blurred.get();
+  blur(prepared);
+  convolve(prepared);
   steps_.run(times);
 
   const double sharpest = sharp_sigma(map_), first = even_sigma(face_ / 2);
