@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -101,6 +102,8 @@ void capture(const Options& o) {
   if (o.method.samples < 1 || o.method.samples > 4096)
     throw Error(ExitCode::usage, "--samples", "must be from 1 to 4096");
   if (o.frames < 0) throw Error(ExitCode::usage, "--frames", "must be 0 or more");
+  if (!std::isfinite(o.exposure))
+    throw Error(ExitCode::usage, "--exposure", "must be a finite number of stops");
   if (o.method.smith != "separable" && o.method.smith != "correlated")
     throw Error(ExitCode::usage, "--smith", "'" + o.method.smith + "' is not known",
                 "Choose separable or correlated.");

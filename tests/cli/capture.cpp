@@ -107,6 +107,7 @@ TEST(capture, names_what_is_wrong_with_its_options) {
   expect_refusal({"capture", suzanne, "-o", png, "--eye", "1,2,nan"}, 2, "--eye");
   expect_refusal({"capture", suzanne, "-o", png, "--eye", "0,0,0", "--target", "0,0,0"}, 2, "eye");
   expect_refusal({"capture", suzanne, "-o", png, "--fovy", "180"}, 2, "--fovy");
+  expect_refusal({"capture", suzanne, "-o", png, "--exposure", "inf"}, 2, "--exposure");
   expect_refusal({"capture", suzanne, "-o", png, "--env-intensity", "-1"}, 2, "--env-intensity");
   expect_refusal({"capture", suzanne, "-o", png, "--material", "*=unobtainium"}, 2, "unobtainium");
   expect_refusal({"capture", suzanne, "-o", png, "--material", "no such=gold"}, 2, "no such");
