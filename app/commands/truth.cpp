@@ -30,7 +30,7 @@ struct Options {
   double error = 0.0;
   std::uint64_t seed = 0;
   int threads = 0;
-  bool surface_only = false, resume = false, half = false;
+  bool surface_only = false, resume = false, half = false, multiscatter = false;
 };
 
 constexpr long default_spp = 256;
@@ -78,6 +78,7 @@ std::map<std::string, std::string> settings_of(const Options& o, const scene::Ca
           {"camera", numbers_of(camera)},
           {"seed", std::to_string(o.seed)},
           {"smith", o.smith},
+          {"scattering", o.multiscatter ? "multiple" : "single"},
           {"transport", o.surface_only ? "surface only" : "full"}};
 }
 
@@ -118,6 +119,7 @@ std::string command_line(const Options& o, long spp) {
   if (!o.scene.eye.empty()) add("--up", o.scene.up);
   if (o.scene.fovy) add("--fovy", fmt::format("{}", *o.scene.fovy));
   if (o.smith != "separable") add("--smith", o.smith);
+  if (o.multiscatter) line += " --multiscatter";
   for (const std::string& material : o.scene.materials)
     add("--material", "'" + material + "'");
   if (o.half) line += " --half";
@@ -161,7 +163,8 @@ void trace(const Options& o) {
       scene, environment ? &*environment : nullptr,
       camera.orthographic() ? std::nullopt : std::optional(camera.eye()),
       {.smith = o.smith == "correlated" ? truth::Smith::correlated : truth::Smith::separable,
-       .transport = o.surface_only ? truth::Transport::surface_only : truth::Transport::full});
+       .transport = o.surface_only ? truth::Transport::surface_only : truth::Transport::full,
+       .multiple_scattering = o.multiscatter});
 
   const truth::RenderDesc desc{.seed = o.seed,
                                .samples = o.spp > 0       ? o.spp
@@ -233,6 +236,8 @@ void add_truth(CLI::App& app) {
   command->add_option("--seed", options->seed, "Of the random numbers")->capture_default_str();
   command->add_option("--smith", options->smith, "Shadowing: separable (Walter 2007) or correlated")
       ->capture_default_str();
+  command->add_flag("--multiscatter", options->multiscatter,
+                    "Give back the energy of multiple scattering between a metal's facets");
   command->add_flag("--surface-only", options->surface_only,
                     "Each visible point lit through its BSDF alone: nothing shadows, nothing is "
                     "reflected twice");

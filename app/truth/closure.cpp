@@ -1,5 +1,7 @@
 #include "truth/closure.h"
 
+#include "truth/albedo.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,9 +17,10 @@ double largest(const glm::dvec3& v) {
 
 } // namespace
 
-Closure::Closure(const Interface& interface, const glm::dvec3& n, const glm::dvec3& wo)
+Closure::Closure(const Interface& interface, const glm::dvec3& n, const glm::dvec3& wo,
+                 double power)
     : i_(interface), facets_(interface.distribution, interface.alpha, interface.smith), n_(n),
-      wo_(wo), dielectric_(1.0 - interface.metallic) {
+      wo_(wo), power_(power), dielectric_(1.0 - interface.metallic) {
   // An index of 0 or infinity (glTF's "always reflect", seen from either side) is a mirror.
   if (!(i_.eta > 0.0 && std::isfinite(i_.eta))) i_.eta = 0.0;
   refracts_ = i_.eta > 0.0 && dielectric_ > 0.0 && largest(i_.transmit) > 0.0;
@@ -32,9 +35,12 @@ Closure::Closure(const Interface& interface, const glm::dvec3& n, const glm::dve
   // How much each lobe sends on, guessed for the flat mirror. Any share between 0 and 1 is right on
   // average; a tenth at least to each bounds what a wrong guess costs.
   const Fresnel flat = fresnel(std::clamp(glm::dot(n, wo), 0.0, 1.0));
-  const double base = dielectric_ * largest(i_.diffuse) * flat.entering;
+  double base = dielectric_ * largest(i_.diffuse) * flat.entering;
+  if (i_.many_bounces)
+    base += i_.metallic * largest(i_.bounce_tint)
+            * (1.0 - i_.many_bounces->at(glm::dot(n, wo), i_.alpha));
   const double lobe = largest(flat.reflected) + dielectric_ * largest(i_.transmit) * flat.entering;
-  diffuse_share_ = largest(i_.diffuse) * dielectric_ > 0.0
+  diffuse_share_ = largest(i_.diffuse) * dielectric_ > 0.0 || i_.many_bounces
                        ? std::clamp(base + lobe > 0.0 ? base / (base + lobe) : 0.5, 0.1, 0.9)
                        : 0.0;
 }
@@ -68,12 +74,22 @@ Closure::Fresnel Closure::fresnel(double c) const {
   return f;
 }
 
-// Of the rays that the microfacets take, how many to reflect: as many as carry light.
-double Closure::reflect_share(const Fresnel& f) const {
-  if (!refracts_) return 1.0;
+// Both, if both are worth it; else one, each as often as it carries light.
+Closure::Chances Closure::chances(const Fresnel& f) const {
+  if (!refracts_) return {};
   const double reflected = largest(f.reflected);
   const double refracted = dielectric_ * largest(i_.transmit) * f.entering;
-  return reflected + refracted > 0.0 ? reflected / (reflected + refracted) : 1.0;
+  if (power_ * std::min(reflected, refracted) >= worth_following) return {1.0, 1.0};
+  const double sum = reflected + refracted;
+  return sum > 0.0 ? Chances{reflected / sum, refracted / sum} : Chances{};
+}
+
+// f of light that has met more than one facet [KullaConty17].
+glm::dvec3 Closure::bounced_often(double cos_i) const {
+  const Albedo& e = *i_.many_bounces;
+  return i_.metallic * i_.bounce_tint
+         * f64::multipleScatteringF(e.at(cos_i, i_.alpha), e.at(glm::dot(n_, wo_), i_.alpha),
+                                    e.mean(i_.alpha));
 }
 
 Scattered Closure::evaluate(const glm::dvec3& wi) const {
@@ -84,6 +100,7 @@ Scattered Closure::evaluate(const glm::dvec3& wi) const {
     const Fresnel f = fresnel(facet.woDotM);
     if (diffuse_share_ > 0.0) {
       s.f_cos += f.entering * dielectric_ * i_.diffuse * (facet.wi.z / std::numbers::pi);
+      if (i_.many_bounces) s.f_cos += bounced_often(facet.wi.z) * facet.wi.z;
       s.pdf += diffuse_share_ * facet.wi.z / std::numbers::pi;
     }
     if (lobe_is_delta_ || grazing) return s;
@@ -91,7 +108,7 @@ Scattered Closure::evaluate(const glm::dvec3& wi) const {
         f64::reflectionLobe(facet, facets_.density(facet), facets_.shadowing_reflected(facet));
     s.f_cos += f.reflected * (lobe * facet.wi.z);
     s.pdf +=
-        (1.0 - diffuse_share_) * reflect_share(f) * f64::reflectionPdf(facet, facets_.pdf(facet));
+        (1.0 - diffuse_share_) * chances(f).reflect * f64::reflectionPdf(facet, facets_.pdf(facet));
     return s;
   }
   if (lobe_is_delta_ || !refracts_) return s;
@@ -106,7 +123,7 @@ Scattered Closure::evaluate(const glm::dvec3& wi) const {
     f_cos = exact > 0.0 ? f_cos * (f.entering / exact) : 0.0;
   }
   s.f_cos = dielectric_ * f_cos * i_.transmit;
-  s.pdf = (1.0 - diffuse_share_) * (1.0 - reflect_share(f))
+  s.pdf = (1.0 - diffuse_share_) * chances(f).refract
           * f64::transmissionPdf(facet, facets_.pdf(facet), i_.eta);
   return s;
 }
@@ -126,9 +143,9 @@ std::optional<Drawn> Closure::sample_diffuse(Random& random) const {
 }
 
 // The whole of a smooth lobe: [Walter07] eq. 39 and 40.
-std::optional<Drawn> Closure::sample_delta(bool reflect, const Fresnel& f, double share) const {
+std::optional<Drawn> Closure::sample_delta(bool reflect, const Fresnel& f, double chance) const {
   Drawn drawn;
-  const double chosen = (1.0 - diffuse_share_) * (reflect ? share : 1.0 - share);
+  const double chosen = (1.0 - diffuse_share_) * chance;
   if (reflect) {
     drawn.wi = glm::normalize(f64::reflectAbout(wo_, n_));
     drawn.weight = f.reflected / chosen;
@@ -143,23 +160,10 @@ std::optional<Drawn> Closure::sample_delta(bool reflect, const Fresnel& f, doubl
   return drawn;
 }
 
-std::optional<Drawn> Closure::sample(Random& random) const {
-  if (diffuse_share_ > 0.0 && random.uniform() < diffuse_share_) return sample_diffuse(random);
-
-  glm::dvec3 wm = n_;
-  if (!lobe_is_delta_) {
-    const glm::dvec3 local(glm::dot(wo_, x_), glm::dot(wo_, y_), std::max(glm::dot(wo_, n_), 0.0));
-    const glm::dvec3 m = facets_.sample(local, random);
-    wm = glm::normalize(m.x * x_ + m.y * y_ + m.z * n_);
-  }
-  const double c = glm::dot(wo_, wm);
-  if (!(c >= 0.0)) return std::nullopt; // a facet that wo sees from behind (drawn by D alone)
-  const Fresnel f = fresnel(std::min(c, 1.0));
-  const double share = reflect_share(f);
-  const bool reflect = !(random.uniform() >= share);
+std::optional<Drawn> Closure::sample_facet(bool reflect, const glm::dvec3& wm, const Fresnel& f,
+                                           double chance) const {
   // At index 1 what passes goes straight on, whichever facet it met.
-  if (lobe_is_delta_ || (!reflect && i_.eta == 1.0)) return sample_delta(reflect, f, share);
-
+  if (lobe_is_delta_ || (!reflect && i_.eta == 1.0)) return sample_delta(reflect, f, chance);
   Drawn drawn;
   drawn.transmitted = !reflect;
   drawn.wi = reflect ? f64::reflectAbout(wo_, wm) : f64::refractAbout(wo_, wm, i_.eta);
@@ -172,6 +176,31 @@ std::optional<Drawn> Closure::sample(Random& random) const {
   drawn.weight = s.f_cos / s.pdf;
   drawn.pdf = s.pdf;
   return drawn;
+}
+
+Draws Closure::sample(Random& random) const {
+  Draws draws;
+  const auto add = [&](const std::optional<Drawn>& drawn) {
+    if (drawn) draws.add(*drawn);
+  };
+  if (diffuse_share_ > 0.0 && random.uniform() < diffuse_share_) {
+    add(sample_diffuse(random));
+    return draws;
+  }
+  glm::dvec3 wm = n_;
+  if (!lobe_is_delta_) {
+    const glm::dvec3 local(glm::dot(wo_, x_), glm::dot(wo_, y_), std::max(glm::dot(wo_, n_), 0.0));
+    const glm::dvec3 m = facets_.sample(local, random);
+    wm = glm::normalize(m.x * x_ + m.y * y_ + m.z * n_);
+  }
+  const double c = glm::dot(wo_, wm);
+  if (!(c >= 0.0)) return draws; // a facet that wo sees from behind (drawn by D alone)
+  const Fresnel f = fresnel(std::min(c, 1.0));
+  const Chances follow = chances(f);
+  const bool reflect = follow.both() || !(random.uniform() >= follow.reflect);
+  if (reflect) add(sample_facet(true, wm, f, follow.reflect));
+  if (!reflect || follow.both()) add(sample_facet(false, wm, f, follow.refract));
+  return draws;
 }
 
 } // namespace gg::truth

@@ -4,7 +4,11 @@
 
 #include "truth/microfacets.h"
 
+#include <array>
+
 namespace gg::truth {
+
+class Albedo;
 
 // Schlick's form for a dielectric whose reflectance is given as a colour (KHR_materials_specular).
 struct TintedReflectance {
@@ -22,8 +26,12 @@ struct Interface {
   double metallic = 0.0;                 // share of the metal, [0, 1]
   glm::dvec3 metal_f0{1.0};              // the metal by Schlick's form, or
   std::optional<scene::Conductor> metal; // by its complex index over that of the near side
-  glm::dvec3 diffuse{0.0};               // albedo under the coat, all shares included
-  glm::dvec3 transmit{0.0};              // factor on what is refracted, all shares included
+  // Gives back what the metal's facets lose to each other; nothing: they lose it. And the colour
+  // that each of its bounces takes on.
+  const Albedo* many_bounces = nullptr;
+  glm::dvec3 bounce_tint{0.0};
+  glm::dvec3 diffuse{0.0};  // albedo under the coat, all shares included
+  glm::dvec3 transmit{0.0}; // factor on what is refracted, all shares included
 };
 
 struct Scattered {
@@ -38,14 +46,32 @@ struct Drawn {
   bool transmitted = false;
 };
 
+// The directions in which a path goes on: none if it is absorbed, two if it is split.
+class Draws {
+public:
+  void add(const Drawn& drawn) { of_[count_++] = drawn; }
+  const Drawn* begin() const { return of_.data(); }
+  const Drawn* end() const { return of_.data() + count_; }
+  bool empty() const { return count_ == 0; }
+
+private:
+  std::array<Drawn, 2> of_;
+  std::size_t count_ = 0;
+};
+
+// Of the power that a camera's path starts with: what is worth following by itself. A path that
+// carries more is never ended by chance, and is split where both parts would carry as much.
+inline constexpr double worth_following = 1.0 / 64.0;
+
 class Closure {
 public:
-  // n: unit, dot(n, wo) >= 0.
-  Closure(const Interface& interface, const glm::dvec3& n, const glm::dvec3& wo);
+  // n: unit, dot(n, wo) >= 0. power: that the path to it carries, in [0, 1]; 0: it is never split.
+  Closure(const Interface& interface, const glm::dvec3& n, const glm::dvec3& wo,
+          double power = 0.0);
 
   Scattered evaluate(const glm::dvec3& wi) const;
-  // A direction with a density near that of f_cos, or nothing if this ray is absorbed.
-  std::optional<Drawn> sample(Random& random) const;
+  // Directions with a density near that of f_cos. Each counts whole, with its weight.
+  Draws sample(Random& random) const;
   // True if nothing but deltas scatter: evaluate() is 0 everywhere.
   bool only_deltas() const { return lobe_is_delta_ && diffuse_share_ == 0.0; }
 
@@ -59,17 +85,26 @@ public:
   const glm::dvec3& n() const { return n_; }
 
 private:
-  double reflect_share(const Fresnel& fresnel) const;
+  // Probabilities of following what a facet reflects and what it refracts.
+  struct Chances {
+    double reflect = 1.0, refract = 0.0;
+    bool both() const { return reflect == 1.0 && refract == 1.0; }
+  };
+  Chances chances(const Fresnel& fresnel) const;
+  glm::dvec3 bounced_often(double cos_i) const;
   std::optional<Drawn> sample_diffuse(Random& random) const;
-  std::optional<Drawn> sample_delta(bool reflect, const Fresnel& fresnel, double share) const;
+  std::optional<Drawn> sample_delta(bool reflect, const Fresnel& fresnel, double chance) const;
+  std::optional<Drawn> sample_facet(bool reflect, const glm::dvec3& wm, const Fresnel& fresnel,
+                                    double chance) const;
 
   Interface i_;
   Microfacets facets_;
   glm::dvec3 n_, x_, y_, wo_;
+  double power_;
   double dielectric_; // share of what is not metal
   bool refracts_;     // light can pass
   bool lobe_is_delta_;
-  double diffuse_share_; // probability of drawing from the diffuse lobe
+  double diffuse_share_; // probability of drawing by the cosine: for the base and for many bounces
 };
 
 } // namespace gg::truth

@@ -180,7 +180,6 @@ std::optional<Hit> Geometry::intersect(const Ray& ray) const {
   // the ray's end.
   const glm::dvec3 local = hit.weights[0] * p[0] + hit.weights[1] * p[1] + hit.weights[2] * p[2];
   hit.position = centre_ + local;
-  hit.distance = glm::distance(ray.origin, hit.position);
   glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
   if (hit.part->mirrored) normal = -normal;
   hit.normal = glm::normalize(normal);

@@ -23,7 +23,6 @@ struct Part {
 };
 
 struct Hit {
-  double distance = 0.0;
   const Part* part = nullptr;
   std::uint32_t vertices[3] = {0, 0, 0}; // into the primitive's streams
   glm::dvec3 weights{0.0};               // of the three vertices: barycentric

@@ -4,9 +4,17 @@
 // A path is followed from the camera. At every interface the next direction is drawn from the BSDF
 // (visible normals, then reflection or refraction by Fresnel's shares), and direct light is
 // gathered: from the environment by multiple importance sampling (power heuristic) of the BSDF and
-// of the map's brightness, from a punctual light, which no ray can hit, by a shadow ray. Paths end
-// by Russian roulette alone; nothing is cut off, clamped or thrown away, so the mean has no bias,
-// and rare bright paths show in the standard error.
+// of the map's brightness, from a punctual light, which no ray can hit, by a shadow ray.
+//
+// Splitting and Russian roulette [ArvoKirk90]. Glass reflects a few hundredths of the light; were
+// that followed by chance, the few paths that are would count in full, and a lamp that one of them
+// finds would be a firefly. So where both parts of what an interface scatters carry enough
+// (`worth_following`) both are followed, each with its own weight; and only paths that carry less
+// are ended by chance. Nothing is cut off, clamped or thrown away: the mean has no bias, and rare
+// bright paths show in the standard error.
+//
+// Dispersion. A path that comes to glass whose index depends on the wavelength goes on as three, of
+// one channel each.
 //
 // Shading normals. A direction that leaves towards one side of the shading normal and the other
 // side of the triangle would go through the surface the wrong way. Where the BSDF about the shading
@@ -14,10 +22,9 @@
 // instead; so no light is lost, none leaks, and where both normals agree nothing changes.
 #pragma once
 
+#include "truth/albedo.h"
 #include "truth/environment_light.h"
-#include "truth/geometry.h"
-#include "truth/media.h"
-#include "truth/surface.h"
+#include "truth/meeting.h"
 
 namespace gg::truth {
 
@@ -39,6 +46,7 @@ public:
   struct Settings {
     Smith smith = Smith::separable;
     Transport transport = Transport::full;
+    bool multiple_scattering = false; // between the facets of metals, as `capture --multiscatter`
   };
 
   // Without an environment only lights and emissive surfaces shine. `eye`: where perspective rays
@@ -49,18 +57,27 @@ public:
   Sample trace(const Ray& camera_ray, Random& random) const;
 
 private:
-  struct Path;
-  struct Meeting;
+  struct Walk;
 
-  bool scatter(Path& path, Meeting& meeting) const;
-  void add_direct_light(Path& path, const Meeting& meeting, const Closure& closure) const;
-  void add_environment(Path& path) const;
-  bool survives(Path& path) const;
-  std::optional<glm::dvec3> unbent(const Surface& surface, SolidId medium, SolidId next) const;
-  Closure closure_at(const Meeting& meeting) const;
-  glm::dvec3 shadow(Ray ray, Inside inside, bool through_walls) const;
-  glm::dvec3 straight_through(const Hit& hit, const Ray& ray, Inside& inside,
+  void advance(Walk& walk, Path path) const;
+  void meet(Walk& walk, Path path, Meeting meeting, SolidId medium, SolidId next) const;
+  void scatter(Walk& walk, const Path& path, const Meeting& meeting) const;
+  void follow(Walk& walk, Path path, Meeting meeting, const Drawn& drawn, double eta) const;
+  bool survives(Walk& walk, Path& path) const;
+  void add_environment(Walk& walk, const Path& path) const;
+
+  // direct_light.cpp
+  void add_direct_light(Walk& walk, const Path& path, const Meeting& meeting,
+                        const Closure& closure) const;
+  glm::dvec3 shadow(Ray ray, glm::dvec3 from, Inside inside, int channel, bool through_walls) const;
+  glm::dvec3 straight_through(const Hit& hit, const Ray& ray, Inside& inside, int channel,
                               bool through_walls) const;
+
+  std::optional<glm::dvec3> unbent(const Surface& surface, SolidId medium, SolidId next,
+                                   int channel) const;
+  Closure closure_at(const Meeting& meeting, double power) const;
+  Interface interface_at(const Surface& surface, double near_ior, double far_ior,
+                         const glm::dvec3& tint) const;
 
   const scene::Scene& scene_;
   const EnvironmentLight* environment_;
@@ -70,6 +87,8 @@ private:
   Surfaces surfaces_;
   Inside around_eye_;
   bool casts_clear_shadows_ = false; // some surface lets a shadow ray pass
+  std::array<std::optional<Albedo>, 3>
+      albedos_; // by distribution, where many bounces are asked for
 };
 
 } // namespace gg::truth

@@ -16,6 +16,7 @@ namespace gg::truth {
 
 using SolidId = std::int32_t;
 inline constexpr SolidId air = -1;
+inline constexpr int white = -1;
 
 // The solids that a point is inside of. A mesh whose parts overlap is entered as often as its
 // surface is crossed.
@@ -35,6 +36,7 @@ private:
 
 struct Solid {
   double ior = 1.0;
+  double dispersion = 0.0; // 20 / Abbe number
   glm::dvec3 attenuation_color{1.0};
   double attenuation_distance = INFINITY; // metres
   double volume = 0.0;                    // of its bounds: smaller displaces larger
@@ -49,7 +51,10 @@ public:
   SolidId bounded_by(const Part& part) const;
   // What fills a place that is inside of these.
   SolidId at(const Inside& inside) const;
-  double ior(SolidId medium) const;
+  // For one of the channels red, green and blue, or for light of all of them: `white`.
+  double ior(SolidId medium, int channel) const;
+  // Does the index depend on the channel?
+  bool disperses(SolidId medium) const;
   // Beer and Lambert: what is left of light after `distance` metres, in [0, 1] per channel.
   glm::dvec3 transmittance(SolidId medium, double distance) const;
   bool empty() const { return solids_.empty(); }

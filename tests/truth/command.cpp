@@ -57,7 +57,27 @@ TEST(truth_command, resumes_only_what_was_asked_for_in_the_same_way) {
       run_program(command({"-o", file, "--spp", "16", "--resume", "--fovy", "30"}));
   EXPECT_EQ(larger.code, 2);
   EXPECT_NE(larger.err.find("camera"), std::string::npos) << larger.err;
+  const Finished bounced =
+      run_program(command({"-o", file, "--spp", "16", "--resume", "--multiscatter"}));
+  EXPECT_EQ(bounced.code, 2);
+  EXPECT_NE(bounced.err.find("scattering"), std::string::npos) << bounced.err;
   EXPECT_EQ(image::read_exr(file).attributes.at("spp"), "12");
+}
+
+// The model's metal is rough: some of its light meets more than one facet.
+TEST(truth_command, multiscatter_gives_light_back) {
+  const auto mean = [](const std::vector<std::string>& more) {
+    std::vector<std::string> words = command({"-o", out("a.exr"), "--spp", "16", "--material",
+                                              "*=aluminium,alpha=0.8", "--surface-only"});
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(run_program(words).code, 0);
+    const image::Exr exr = image::read_exr(out("a.exr"));
+    double sum = 0.0;
+    for (const float v : exr.channels.at("G"))
+      sum += static_cast<double>(v);
+    return sum / static_cast<double>(exr.channels.at("G").size());
+  };
+  EXPECT_GT(mean({"--multiscatter"}), 1.01 * mean({}));
 }
 
 TEST(truth_command, interrupted_keeps_what_it_has) {

@@ -1,6 +1,7 @@
 #include "truth/estimate.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace gg::truth::test {
 
@@ -28,6 +29,20 @@ Estimate trace(const Integrator& integrator, const Ray& ray, long samples, std::
              << ", expected " << expected[c];
   }
   return ::testing::AssertionSuccess();
+}
+
+Integrator integrator_of(const scene::Scene& scene, const EnvironmentLight* environment,
+                         const Integrator::Settings& settings) {
+  return Integrator(scene, environment, std::nullopt, settings);
+}
+
+double degrees(double angle) {
+  return angle * std::numbers::pi / 180.0;
+}
+
+Ray towards_origin(double theta) {
+  const glm::dvec3 from(std::sin(theta), 0.0, std::cos(theta));
+  return {5.0 * from, -from};
 }
 
 environment::Map black_map(int width, int height) {

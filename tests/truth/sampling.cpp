@@ -140,8 +140,8 @@ TEST(truth_closure, directions_are_drawn_with_their_density) {
       const Closure closure(i.interface, n, wo);
       expect_histogram_matches(
           [&](Random& random) {
-            const auto drawn = closure.sample(random);
-            return drawn ? std::optional(drawn->wi) : std::nullopt;
+            const Draws draws = closure.sample(random);
+            return draws.empty() ? std::nullopt : std::optional(draws.begin()->wi);
           },
           [&](const glm::dvec3& wi) { return closure.evaluate(wi).pdf; },
           std::string(i.name) + ", cos " + std::to_string(cos_o));
@@ -156,13 +156,60 @@ TEST(truth_closure, weights_average_to_the_integral_of_f_cos) {
       Mean drawn_mean, uniform_mean;
       for (std::uint64_t k = 0; k < 100000; ++k) {
         Random random(3, 0, k);
-        const auto drawn = closure.sample(random);
-        drawn_mean.add(drawn ? drawn->weight.x : 0.0);
+        double sum = 0.0;
+        for (const Drawn& drawn : closure.sample(random))
+          sum += drawn.weight.x;
+        drawn_mean.add(sum);
         uniform_mean.add(closure.evaluate(uniform_direction(random)).f_cos.x * 4.0 * pi);
       }
       EXPECT_NEAR(drawn_mean.mean(), uniform_mean.mean(),
                   sigmas * std::hypot(drawn_mean.error(), uniform_mean.error()))
           << i.name << ", cos " << cos_o;
+    }
+}
+
+// Of a channel, of what was drawn on one side of the interface.
+double weight_of(const Draws& draws, bool across) {
+  double sum = 0.0;
+  for (const Drawn& drawn : draws)
+    if (drawn.transmitted == across) sum += drawn.weight.y;
+  return sum;
+}
+
+// Where both sides are worth it both are followed, with the weights that make the same light of it;
+// and the densities, which multiple importance sampling weighs them by, are those of both.
+TEST(truth_closure, splitting_changes_the_paths_and_not_the_light) {
+  const glm::dvec3 n(0.0, 0.0, 1.0), wo(0.6, 0.0, 0.8);
+  for (const NamedInterface& named : interfaces())
+    for (const double alpha : {0.0, named.interface.alpha}) {
+      Interface interface = named.interface;
+      interface.alpha = alpha;
+      const Closure one(interface, n, wo), split(interface, n, wo, 1.0);
+      Mean means[2][2], densities; // one or split, reflected or transmitted
+      long pairs = 0;
+      constexpr std::uint64_t samples = 40000;
+      for (std::uint64_t k = 0; k < samples; ++k) {
+        Random first(7, 0, k), second(8, 0, k), third(9, 0, k);
+        const Draws x = one.sample(first), y = split.sample(second);
+        EXPECT_LE(x.end() - x.begin(), 1);
+        if (y.end() - y.begin() == 2) ++pairs;
+        for (const bool across : {false, true}) {
+          means[0][across].add(weight_of(x, across));
+          means[1][across].add(weight_of(y, across));
+        }
+        densities.add(split.evaluate(uniform_direction(third)).pdf * 4.0 * pi
+                      - static_cast<double>(y.end() - y.begin()));
+      }
+      for (const bool across : {false, true})
+        EXPECT_NEAR(means[0][across].mean(), means[1][across].mean(),
+                    sigmas * std::hypot(means[0][across].error(), means[1][across].error()) + 1e-9)
+            << named.name << ", alpha " << alpha << (across ? ", transmitted" : ", reflected");
+      if (alpha > 0.0) {
+        EXPECT_NEAR(densities.mean(), 0.0, sigmas * densities.error()) << named.name;
+      }
+      if (interface.eta != 1.5 || !(interface.transmit.x > 0.9) || interface.metallic > 0.0)
+        continue;
+      EXPECT_GT(pairs, static_cast<long>(samples) / 2) << named.name << ", alpha " << alpha;
     }
 }
 
@@ -177,10 +224,10 @@ TEST(truth_closure, smooth_lobes_are_the_limit_of_narrow_ones) {
     Mean means[2][2]; // narrow or smooth, reflected or transmitted
     for (std::uint64_t k = 0; k < 20000; ++k) {
       Random first(5, 0, k), second(6, 0, k);
-      const auto x = a.sample(first), y = b.sample(second);
+      const Draws x = a.sample(first), y = b.sample(second);
       for (const bool across : {false, true}) {
-        means[0][across].add(x && x->transmitted == across ? x->weight.y : 0.0);
-        means[1][across].add(y && y->transmitted == across ? y->weight.y : 0.0);
+        means[0][across].add(weight_of(x, across));
+        means[1][across].add(weight_of(y, across));
       }
     }
     for (const bool across : {false, true})

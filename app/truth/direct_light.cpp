@@ -1,0 +1,122 @@
+// What reaches a surface from lights straight away.
+#include "truth/integrator.h"
+#include "truth/lights.h"
+#include "truth/mis.h"
+#include "truth/walk.h"
+
+#include <cmath>
+
+namespace gg::truth {
+
+void Integrator::add_direct_light(Walk& walk, const Path& path, const Meeting& m,
+                                  const Closure& closure) const {
+  if (closure.only_deltas()) return;
+  const bool alone = settings_.transport == Transport::surface_only;
+
+  // f |wi.n| towards a light, times what arrives from there, over what stands in the way.
+  struct Link {
+    Scattered scattered;
+    bool open = false;
+    bool across = false;
+  };
+  const auto link = [&](const glm::dvec3& wi) {
+    Link l;
+    l.across = glm::dot(wi, closure.n()) < 0.0;
+    if (!m.leaves(l.across) || (!alone && !m.right_side(wi, l.across))) return l;
+    l.scattered = closure.evaluate(wi);
+    if (alone && l.across && m.solid())
+      l.scattered.f_cos *= closure.interface().eta * closure.interface().eta;
+    l.open = largest(l.scattered.f_cos) > 0.0;
+    return l;
+  };
+  const auto visible = [&](const glm::dvec3& wi, double distance, bool across, bool punctual) {
+    if (alone) return glm::dvec3(1.0);
+    return shadow({geometry_.leave(m.surface.hit, wi), wi, 0.0, distance}, m.surface.hit.position,
+                  m.inside_after(across), path.channel, punctual);
+  };
+
+  if (environment_) {
+    const auto drawn = environment_->sample(walk.random);
+    const Link l = drawn ? link(drawn->direction) : Link{};
+    // From inside a solid that bends light the environment is seen through its boundary only.
+    if (l.open && (alone || media_.ior(media_.at(m.inside_after(l.across)), path.channel) == 1.0))
+      walk.sample.radiance += path.throughput * l.scattered.f_cos * drawn->radiance
+                              * (mis_share(drawn->pdf, l.scattered.pdf) * path.open / drawn->pdf)
+                              * visible(drawn->direction, INFINITY, l.across, false);
+  }
+
+  if (scene_.lights.empty()) return;
+  // One of the lights, by what arrives from it.
+  double total = 0.0;
+  for (const scene::Light& light : scene_.lights)
+    total += largest(arrival_from(light, m.surface.hit.position).irradiance);
+  if (!(total > 0.0)) return;
+  double left = walk.random.uniform() * total;
+  for (const scene::Light& light : scene_.lights) {
+    const Arrival arrival = arrival_from(light, m.surface.hit.position);
+    const double part = largest(arrival.irradiance);
+    left -= part;
+    if (left >= 0.0 || !(part > 0.0)) continue;
+    if (const Link l = link(arrival.wi); l.open)
+      walk.sample.radiance += path.throughput * l.scattered.f_cos * arrival.irradiance
+                              * (total / part)
+                              * visible(arrival.wi, arrival.distance, l.across, true);
+    return;
+  }
+}
+
+// What gets past everything on the ray without changing its direction, per channel. `from`: the
+// surface that it starts a rounding off.
+glm::dvec3 Integrator::shadow(Ray ray, glm::dvec3 from, Inside inside, int channel,
+                              bool through_walls) const {
+  if (!casts_clear_shadows_) return glm::dvec3(geometry_.occluded(ray) ? 0.0 : 1.0);
+  const glm::dvec3 end = ray.origin + ray.far * ray.direction; // where it is finite
+  glm::dvec3 passed(1.0);
+  while (const auto hit = geometry_.intersect(ray)) {
+    passed *= media_.transmittance(media_.at(inside), glm::distance(from, hit->position));
+    from = hit->position;
+    passed *= straight_through(*hit, ray, inside, channel, through_walls);
+    if (!(largest(passed) > 0.0)) return glm::dvec3(0.0);
+    const glm::dvec3 next = geometry_.leave(*hit, ray.direction);
+    ray.far -= glm::distance(ray.origin, next);
+    ray.origin = next;
+    if (!(ray.far > 0.0)) return passed;
+  }
+  if (!std::isfinite(ray.far)) return passed;
+  return passed * media_.transmittance(media_.at(inside), glm::distance(from, end));
+}
+
+glm::dvec3 Integrator::straight_through(const Hit& hit, const Ray& ray, Inside& inside, int channel,
+                                        bool through_walls) const {
+  const double coverage = surfaces_.coverage(hit);
+  if (coverage == 0.0) return glm::dvec3(1.0);
+  const glm::dvec3 beside(1.0 - coverage);
+  if (!(hit.part->material->transmission > 0.0f)) return beside;
+
+  const Surface s = surfaces_.read(hit, -ray.direction);
+  if (s.kind == SurfaceKind::solid && coverage == 1.0) {
+    const SolidId solid = media_.bounded_by(*hit.part), medium = media_.at(inside);
+    if (glm::dot(ray.direction, hit.normal) < 0.0)
+      inside.enter(solid);
+    else
+      inside.leave(solid);
+    return unbent(s, medium, media_.at(inside), channel).value_or(glm::dvec3(0.0));
+  }
+  // A smooth wall: all orders of inner reflection, t² / (1 - r²).
+  if (through_walls && s.kind == SurfaceKind::thin && s.alpha == 0.0) {
+    Meeting m{.surface = s, .wo = s.wo};
+    m.ior_before = media_.ior(media_.at(inside), channel);
+    m.ior_beyond = static_cast<double>(s.material->ior);
+    const Closure outer = closure_at(m, 0.0);
+    m.surface.metallic = 0.0;
+    const Closure::Fresnel f = closure_at(m, 0.0).fresnel(glm::dot(outer.n(), s.wo));
+    const glm::dvec3 kept = glm::dvec3(1.0) - f.reflected * f.reflected;
+    glm::dvec3 wall(0.0);
+    for (int c = 0; c < 3; ++c)
+      if (kept[c] > 0.0) wall[c] = f.entering * f.entering / kept[c];
+    return beside + coverage * (1.0 - s.metallic) * s.transmission * s.base_color * wall;
+  }
+  return beside;
+}
+
+} // namespace gg::truth

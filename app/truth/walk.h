@@ -1,0 +1,18 @@
+// The paths of one sample: what they brought, and those that are still to be followed.
+#pragma once
+
+#include "truth/integrator.h"
+
+#include <utility>
+#include <vector>
+
+namespace gg::truth {
+
+struct Integrator::Walk {
+  Random& random;
+  Sample sample;
+  std::vector<Path> paths;                           // on their way
+  std::vector<std::pair<Path, Meeting>> at_surfaces; // scattered, and to be scattered there again
+};
+
+} // namespace gg::truth
