@@ -14,7 +14,7 @@ gpu::PipelineRef Draws::pipeline(const DrawPass& pass, const needs::Draw& draw) 
   gpu::PipelineRef& found = pipelines_[{pass.label, draw.key}];
   if (found) return found;
   gpu::PipelineDesc desc{.label = pass.label,
-                         .vertex = "opaque.vert",
+                         .vertex = pass.by_region ? "region.vert" : "opaque.vert",
                          .fragment = pass.fragment,
                          .constants = pass.constants,
                          .colors = pass.colors,
@@ -24,23 +24,19 @@ gpu::PipelineRef Draws::pipeline(const DrawPass& pass, const needs::Draw& draw) 
                          .blend = pass.blend};
   for (std::uint32_t id = 0; id < draw.key.size(); ++id)
     desc.constants.push_back(gpu::constant(id, draw.key[id]));
-  for (const needs::VertexInput& input : draw.inputs) {
-    desc.attributes.push_back({.location = input.location,
-                               .components = input.components,
-                               .binding = static_cast<int>(desc.bindings.size())});
-    desc.bindings.push_back({.stride = static_cast<std::uint32_t>(input.components) * 4u});
-  }
+  if (!pass.by_region)
+    for (const needs::VertexInput& input : draw.inputs) {
+      desc.attributes.push_back({.location = input.location,
+                                 .components = input.components,
+                                 .binding = static_cast<int>(desc.bindings.size())});
+      desc.bindings.push_back({.stride = static_cast<std::uint32_t>(input.components) * 4u});
+    }
   found = device_.create(desc);
   return found;
 }
 
-void Draws::record(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
-                   const needs::Draw& draw) const {
-  record(encoder, pipeline, draw, draw.both_sides ? gpu::Cull::none : gpu::Cull::back);
-}
-
-void Draws::record(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline, const needs::Draw& draw,
-                   gpu::Cull cull) const {
+void Draws::bind(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
+                 const needs::Draw& draw) const {
   const UniformArray& materials = uploaded_.materials();
   const UniformArray& instances = uploaded_.instances();
   encoder.use(pipeline);
@@ -48,8 +44,6 @@ void Draws::record(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline, cons
                  instances.size);
   encoder.buffer("Material", materials.buffer, materials.offset(draw.material_index),
                  materials.size);
-  for (std::size_t k = 0; k < draw.inputs.size(); ++k)
-    encoder.vertices(static_cast<int>(k), uploaded_.stream(draw.inputs[k].stream));
   const tables::ModelTables& tables =
       tables_.of(needs::model_of(*draw.material, uploaded_.needs().view.correlated_smith));
   if (tables.energy) {
@@ -64,10 +58,30 @@ void Draws::record(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline, cons
     const UploadedTexture texture = uploaded_.texture(map);
     encoder.texture(map.name, texture.view, texture.sampler);
   }
+}
+
+void Draws::record(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
+                   const needs::Draw& draw) const {
+  record(encoder, pipeline, draw, draw.both_sides ? gpu::Cull::none : gpu::Cull::back);
+}
+
+void Draws::record(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline, const needs::Draw& draw,
+                   gpu::Cull cull) const {
+  bind(encoder, pipeline, draw);
+  for (std::size_t k = 0; k < draw.inputs.size(); ++k)
+    encoder.vertices(static_cast<int>(k), uploaded_.stream(draw.inputs[k].stream));
   encoder.cull(cull);
   encoder.front_is_clockwise(draw.mirrored);
   encoder.indices(uploaded_.indices(draw.primitive->indices));
   encoder.draw_indexed(static_cast<std::uint32_t>(draw.index_count));
+}
+
+void Draws::record_region(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
+                          const needs::Draw& draw) const {
+  bind(encoder, pipeline, draw);
+  encoder.cull(gpu::Cull::back);
+  encoder.front_is_clockwise(false);
+  encoder.draw(6);
 }
 
 } // namespace gg::frame

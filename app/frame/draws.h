@@ -13,9 +13,10 @@
 
 namespace gg::frame {
 
-// What a pass does with draws: stages/opaque.vert into one of its fragment stages.
+// What a pass does with draws: stages/opaque.vert into one of its fragment stages, or stages/region.vert, which takes no mesh.
 struct DrawPass {
   std::string label; // of the pipelines; passes of the same label are the same pass
+  bool by_region = false;
   std::string fragment;
   std::vector<gpu::Format> colors;
   gpu::Format depth = gpu::Format::depth32f;
@@ -39,10 +40,16 @@ public:
   void record(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline, const needs::Draw& draw,
               gpu::Cull cull) const;
 
+  // The same without geometry: two triangles that cover what Region, bound by the caller, says.
+  void record_region(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
+                     const needs::Draw& draw) const;
+
   // Every texture that record() may bind: what a pass has to declare.
   const std::vector<gpu::View>& sampled() const { return sampled_; }
 
 private:
+  void bind(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline, const needs::Draw& draw) const;
+
   gpu::Device& device_;
   const UploadedScene& uploaded_;
   const tables::DeviceTables& tables_;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace gg::frame {
 namespace {
@@ -14,6 +15,9 @@ constexpr gpu::Format depth_format = gpu::Format::depth32f;
 
 // Constants of the stages that belong to a pass, not to a material.
 constexpr std::uint32_t looks_around = 41, most_bounces = 42;
+
+// Of a depth in floats: four products and sums make a clip coordinate, and a division the depth.
+constexpr double depth_rounding = 8.0 * std::numeric_limits<float>::epsilon();
 
 needs::View view_of(const FrameDesc& desc) {
   needs::View view{.camera = desc.camera,
@@ -138,6 +142,18 @@ void Renderer::make_records() {
                             .blend = gpu::Blend::over,
                             .constants = {gpu::constant(looks_around, needs_.company),
                                           gpu::constant(most_bounces, needs::most_bounces)}};
+  // By pixels: the solid's front faces into the depth first, then its region at its far end, which passes where something is
+  // nearer: the depth test spares the shading beside it.
+  const DrawPass hides{.label = "hides",
+                       .fragment = "foreground.frag",
+                       .colors = {color_format},
+                       .blend = gpu::Blend::over};
+  DrawPass by_region = refractive;
+  by_region.label = "refractive region";
+  by_region.by_region = true;
+  by_region.fragment = "refractive_region.frag";
+  by_region.depth_write = false;
+  by_region.depth_compare = gpu::Compare::less_equal;
   // Once more over the opaque picture, which shows what there is to reflect.
   const DrawPass reflective{.label = "reflective",
                             .fragment = "opaque.frag",
@@ -150,13 +166,28 @@ void Renderer::make_records() {
     reflective_.push_back(recorded(reflective, {draw, needs::Faces::as_material}));
   for (const needs::LayerDraw& draw : needs_.over_opaque)
     over_opaque_.push_back(recorded(blended, draw));
+  // Samples lie up to half a pixel off.
+  const glm::dvec2 pixel(2.0 / desc_.width, 2.0 / desc_.height);
+  std::vector<uniforms::RegionData> regions;
   for (const needs::Layer& layer : needs_.layers) {
+    std::vector<RecordedRegion>& recorded_regions = layer_regions_.emplace_back();
+    for (const needs::Region& region : layer.regions) {
+      const needs::Draw& draw = *region.draws.front();
+      RecordedRegion& own = recorded_regions.emplace_back(
+          RecordedRegion{{}, &draw, draws_.pipeline(by_region, draw), regions.size()});
+      for (const needs::Draw* part : region.draws)
+        own.hides.push_back(recorded(hides, {part, needs::Faces::front}));
+      regions.push_back(
+          {glm::vec4(region.box.low - pixel, region.box.high + pixel),
+           glm::vec4(glm::dvec4(region.box.farthest_depth * (1.0 - depth_rounding)))});
+    }
     Records& records = layers_.emplace_back();
     for (const needs::LayerDraw& draw : layer.refractive)
       records.push_back(recorded(refractive, draw));
     for (const needs::LayerDraw& draw : layer.blended)
       records.push_back(recorded(blended, draw));
   }
+  if (!regions.empty()) regions_ = upload_uniforms(device_, "regions", regions);
   if (needs_.sky)
     sky_ = device_.create(gpu::PipelineDesc{.label = "sky",
                                             .vertex = "fullscreen.vert",
@@ -236,10 +267,16 @@ gpu::Pass Renderer::layer_pass(const needs::Pass& of, int sample) const {
     for (const gpu::View& view : backdrop_->sampled())
       pass.reads.push_back(view);
   if (!layer.solids.empty()) pass.reads.push_back(interior_->sampled());
-  pass.record = [this, sample, &layer, &records = layers_[of.layer]](gpu::Encoder& encoder) {
+  pass.record = [this, sample, &layer, &records = layers_[of.layer],
+                 &regions = layer_regions_[of.layer]](gpu::Encoder& encoder) {
     begin(encoder, sample);
     if (layer.shows_behind()) backdrop_->bind(encoder);
     if (!layer.solids.empty()) interior_->bind(encoder);
+    for (const auto& [hides, draw, pipeline, block] : regions) {
+      record(encoder, hides);
+      encoder.buffer("Region", regions_.buffer, regions_.offset(block), regions_.size);
+      draws_.record_region(encoder, pipeline, *draw);
+    }
     record(encoder, records);
   };
   return pass;

@@ -68,6 +68,12 @@ private:
     gpu::Cull cull;
   };
   using Records = std::vector<Recorded>;
+  struct RecordedRegion {
+    Records hides; // its front faces, into the depth
+    const needs::Draw* draw;
+    gpu::PipelineRef pipeline;
+    std::size_t block; // of regions_
+  };
   void make_targets();
   void make_frame_blocks();
   void make_records();
@@ -96,6 +102,8 @@ private:
   gpu::PipelineRef sky_, accumulate_;
   Records opaque_, over_opaque_, reflective_;
   std::vector<Records> layers_; // in the order in which they are drawn
+  UniformArray regions_;        // of all layers
+  std::vector<std::vector<RecordedRegion>> layer_regions_;
   std::optional<Backdrop> backdrop_;
   std::optional<Interior> interior_;
   std::vector<std::vector<gpu::Pass>> passes_; // by sample

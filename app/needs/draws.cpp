@@ -94,6 +94,30 @@ int interior_pairs(const Draw& draw, const View& view, const scene::Instance& in
   return shapes.of(instance, draw.primitive->material).convex ? 1 : 2;
 }
 
+// Whether the near plane cuts into the box: the camera may stand in what is in it.
+bool is_cut_open(const scene::Bounds& box, const glm::dmat4& clip_from_world) {
+  for (unsigned i = 0; i < 8; ++i) {
+    const glm::dvec4 c = clip_from_world * glm::dvec4(corner(box, i), 1.0);
+    if (!(c.w > 0.0 && c.z <= c.w)) return true;
+  }
+  return false;
+}
+
+// Whether back faces of a solid can be what is seen. Those of a closed one are there to be seen from within, whatever its
+// material says of sides; an open one shows them if the material has two.
+bool is_seen_from_within(const Draw& draw, const scene::SolidShape& shape,
+                         const glm::dmat4& clip_from_world) {
+  return shape.closed ? is_cut_open(draw.bounds, clip_from_world) : draw.both_sides;
+}
+
+// Peers' method is a surface like any other, and the layer holds depth, normal and alpha alone.
+bool is_by_pixel(const Draw& draw) {
+  return value_of(draw.key, Feature::interior_pairs) > 0 && !draw.is_straight()
+         && value_of(draw.key, Feature::seen_from_within) == 0
+         && value_of(draw.key, Feature::vertex_color) == 0 && draw.maps.empty()
+         && draw.material->alpha_mode != scene::AlphaMode::mask;
+}
+
 // Where something is in a list that holds everything once.
 template <class T>
 std::size_t place_in(std::vector<const T*>& list, std::map<const T*, std::size_t>& places,
@@ -174,10 +198,16 @@ Draws draws_of(const scene::Scene& scene, const View& view) {
     }
   Shapes shapes(scene);
   for (Draw& draw : draws.all) {
-    const int pairs = interior_pairs(draw, view, *draws.instances[draw.instance_index], shapes);
+    const scene::Instance& instance = *draws.instances[draw.instance_index];
+    const int pairs = interior_pairs(draw, view, instance, shapes);
     set_value(draw.key, Feature::interior_pairs, pairs);
     if (pairs > 0 && !draw.is_straight())
       set_value(draw.key, Feature::holds_opaque, holds_opaque(draw, draws.all));
+    if (!draw.is_solid() || view.method == Method::standard) continue;
+    draw.both_sides =
+        is_seen_from_within(draw, shapes.of(instance, draw.primitive->material), clip);
+    set_value(draw.key, Feature::seen_from_within, draw.both_sides);
+    draw.by_pixel = is_by_pixel(draw);
   }
   return draws;
 }

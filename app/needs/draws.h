@@ -43,6 +43,9 @@ struct Draw {
   std::vector<Map> maps;
   std::size_t index_count = 0;
   bool mirrored = false, both_sides = false;
+  // Glass whose first layer of the inside holds all that its shading takes from the mesh: drawn by the pixels that it covers
+  // (stages/refractive_region.frag), not by its triangles.
+  bool by_pixel = false;
 
   bool is_solid() const { return role == Role::refractive && material->thickness > 0.0f; }
   // Whether it only lets through what is behind it, unbent.

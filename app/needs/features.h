@@ -67,6 +67,7 @@ enum class Feature : std::uint32_t {
   holds_opaque,
   interior_pairs,
   lobe_taps,
+  seen_from_within,
   count
 };
 enum class Shading { unlit, dielectric, metal, mixed, conductor };
@@ -116,7 +117,7 @@ struct Features {
   std::vector<int> uv_sets; // element k feeds the shader's k-th set
 };
 // The features of one primitive: only what its material and its streams make a difference with. What depends on other
-// draws (holds_opaque, interior_pairs) is left at 0.
+// draws or on the camera (holds_opaque, interior_pairs, seen_from_within) is left at 0.
 Features features_of(const scene::Scene& scene, const scene::Material& material,
                      const scene::Primitive& primitive, const FrameFeatures& frame);
 

@@ -100,8 +100,14 @@ std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& c
     at[i] = std::min(at[i], most - 1);
     layers.resize(std::max(layers.size(), at[i] + 1));
     Layer& layer = layers[at[i]];
-    std::vector<LayerDraw>& list = items[i].blended ? layer.blended : layer.refractive;
-    list.insert(list.end(), items[i].draws.begin(), items[i].draws.end());
+    if (std::ranges::all_of(items[i].draws, [](const LayerDraw& d) { return d.draw->by_pixel; })) {
+      Region& region = layer.regions.emplace_back(Region{{}, items[i].box});
+      for (const LayerDraw& part : items[i].draws)
+        region.draws.push_back(part.draw);
+    } else {
+      std::vector<LayerDraw>& list = items[i].blended ? layer.blended : layer.refractive;
+      list.insert(list.end(), items[i].draws.begin(), items[i].draws.end());
+    }
     if (items[i].blended) continue;
     for (const LayerDraw& part : items[i].draws) {
       const int pairs = value_of(part.draw->key, Feature::interior_pairs);

@@ -17,15 +17,33 @@ struct LayerDraw {
   Faces faces;
 };
 
+// A rectangle on the screen, clip coordinates -1..1 divided by w; everything if it reaches behind
+// the camera.
+struct ScreenBox {
+  glm::dvec2 low{-1.0}, high{1.0};
+  double nearest_depth = 1.0, farthest_depth = 0.0; // device depth, 1 near
+  bool overlaps(const ScreenBox& other) const;
+};
+ScreenBox screen_box(const scene::Bounds& bounds, const glm::dmat4& clip_from_world);
+
+// A solid that is drawn by its pixels: its draws, of one instance and one material.
+struct Region {
+  std::vector<const Draw*> draws;
+  ScreenBox box;
+};
+
 // Surfaces that are drawn with one picture of what is behind them.
 struct Layer {
   std::vector<LayerDraw> refractive, blended;
+  std::vector<Region> regions;
   std::vector<const Draw*>
       foreground; // opaque draws that stand wholly in front of it and overlap it
   std::vector<const Draw*>
       solids;             // of the refractive draws, those whose inside rays are followed through
   int interior_pairs = 0; // the most that one of them wants
-  bool shows_behind() const { return !refractive.empty(); } // what is behind it, as a picture
+  bool shows_behind() const {
+    return !refractive.empty() || !regions.empty();
+  }                   // what is behind it, as a picture
   bool blurs = false; // and shifts it: needs that picture's pyramid and depth
 };
 
@@ -35,14 +53,5 @@ struct Layer {
 // order. Pure.
 std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& clip_from_world,
                              std::size_t most);
-
-// A rectangle on the screen, clip coordinates -1..1 divided by w; everything if it reaches behind
-// the camera.
-struct ScreenBox {
-  glm::dvec2 low{-1.0}, high{1.0};
-  double nearest_depth = 1.0, farthest_depth = 0.0; // device depth, 1 near
-  bool overlaps(const ScreenBox& other) const;
-};
-ScreenBox screen_box(const scene::Bounds& bounds, const glm::dmat4& clip_from_world);
 
 } // namespace gg::needs

@@ -143,10 +143,14 @@ std::vector<Share> memory_of(const Needs& needs) {
     maps += bytes_of(image);
   for (const Target& target : needs.targets)
     targets += bytes_of(target);
+  std::size_t regions = 0;
+  for (const Layer& layer : needs.layers)
+    regions += layer.regions.size();
   const std::size_t blocks =
       padded<uniforms::FrameData>(static_cast<std::size_t>(needs.view.samples))
       + padded<uniforms::MaterialData>(needs.draws.materials.size())
       + padded<uniforms::InstanceData>(needs.draws.instances.size())
+      + (regions ? padded<uniforms::RegionData>(regions) : 0)
       + std::max<std::size_t>(scene.lights.size(), 1) * sizeof(uniforms::LightData);
   return {{"environment", needs.view.environment.value_or(0)},
           {"tables", tables},

@@ -80,7 +80,7 @@ public:
     Pass pass{.kind = PassKind::layer,
               .label = layer.shows_behind() ? "refractive" : "blended",
               .layer = l,
-              .draws = layer.refractive.size() + layer.blended.size(),
+              .draws = layer.refractive.size() + layer.regions.size() + layer.blended.size(),
               .writes = {"scene color", "scene depth"}};
     if (layer.shows_behind()) pass.reads.emplace_back("screen pyramid");
     if (layer.blurs) pass.reads.emplace_back("backdrop depth");

@@ -15,6 +15,7 @@ using glm::vec4;
 #include "../../shaders/interface/instance.glsl"
 #include "../../shaders/interface/lights.glsl"
 #include "../../shaders/interface/material.glsl"
+#include "../../shaders/interface/region.glsl"
 
 // std140 and std430 place these types at multiples of 16 bytes with no holes, which is what C++
 // does too.
@@ -22,5 +23,6 @@ static_assert(offsetof(FrameData, eye) == 128 && sizeof(FrameData) == 256);
 static_assert(offsetof(InstanceData, normalFromMesh) == 64 && sizeof(InstanceData) == 128);
 static_assert(offsetof(LightData, cone) == 48 && sizeof(LightData) == 64);
 static_assert(offsetof(MaterialData, baseColorRow0) == 128 && sizeof(MaterialData) == 416);
+static_assert(sizeof(RegionData) == 32);
 
 } // namespace gg::uniforms

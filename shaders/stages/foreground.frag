@@ -1,6 +1,22 @@
-// foreground.frag: cuts a thing that stands in front of a layer of glass out of what is seen through it.
+// foreground.frag: leaves the depth of a thing and, drawn over what is there, no colour; or, in its place, none at all: cuts it out
+// of what is seen through a layer of glass behind it.
 #version 450
+#include "interface/material.glsl"
+#include "stages/material_features.glsl"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+layout(location = 2) in vec4 inTangent;
+layout(location = 3) in vec4 inColor;
+layout(location = 4) in vec4 inUv01;
+layout(location = 5) in vec4 inUv23;
 
 layout(location = 0) out vec4 outColor;
 
-void main() { outColor = vec4(0.0); }
+#include "interface/frame.glsl"
+#include "stages/surface.glsl"
+
+void main() {
+    if (alphaMode == 1 && surfaceBaseColor().w < material.emissive.w) discard;
+    outColor = vec4(0.0);
+}

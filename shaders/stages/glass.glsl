@@ -284,9 +284,9 @@ vec3 throughNothing() {
 
 float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
-// How far a beam is looked for on the picture: what brings less than a fiftieth is not, at a sixteenth it is in full. The
-// environment stands in.
-float looked(WeightedBeam w) { return looksAround ? smoothstep(0.02, 0.0625, largest(w.weight)) : 0.0; }
+// How far a beam is looked for on the picture: what brings less than glass reflects of light that meets it squarely, 4 %, is not,
+// at twice that it is in full. The environment stands in.
+float looked(WeightedBeam w) { return looksAround ? smoothstep(0.04, 0.08, largest(w.weight)) : 0.0; }
 
 // Punctual lights as a beam sees them, by its density at their directions: a Gaussian of its own width. A smooth path shows a
 // point of light to nobody.

@@ -43,7 +43,7 @@ const float OUTSIDE_FADE = 1.0; // of the picture's height
 const int MEETING_GUESSES = 4;
 const int MEETING_STEPS = 12;
 const int MEETING_SECANTS = 6;
-const int MEETING_READS = 30; // guesses, steps, and two crossings
+const int MEETING_READS = 26; // steps, and two crossings
 
 // Clip coordinates, w > 0 -> pixels.
 vec2 pixelOf(vec4 clip) { return (vec2(0.5, -0.5) * clip.xy / clip.w + 0.5) * frame.picture.xy; }
@@ -80,94 +80,90 @@ float wayAlong(float v, float wFrom, float wTo) {
     return far / (near + far);
 }
 
-vec3 placeOf(vec2 at, float z) {
-    vec2 clip = 2.0 * at / frame.picture.xy - 1.0;
-    vec4 p = frame.worldFromClip * vec4(clip.x, -clip.y, z, 1.0);
-    return p.xyz / p.w;
-}
-
-// The surface at a pixel, seen along the view and along the beam: the ratio of the two cosines. Of the two neighbours along each
-// axis the one that is less far in depth belongs to the same surface.
+// The surface at a pixel, seen along the view and along the beam: the ratio of the two cosines. A plane in the world is a plane in
+// device depth. Of the two neighbours along each axis the one that is less far in depth belongs to the same surface.
 float foreshorteningAt(vec2 at, vec3 direction) {
     vec2 centre = floor(clamp(at, vec2(1.0), frame.picture.xy - 2.0)) + 0.5;
     float z = depthBehind(centre);
-    float right = depthBehind(centre + vec2(1.0, 0.0));
-    float left = depthBehind(centre - vec2(1.0, 0.0));
-    float down = depthBehind(centre + vec2(0.0, 1.0));
-    float up = depthBehind(centre - vec2(0.0, 1.0));
-    vec3 p = placeOf(centre, z);
-    bool toRight = abs(right - z) < abs(left - z);
-    bool toDown = abs(down - z) < abs(up - z);
-    vec3 x = placeOf(centre + vec2(toRight ? 1.0 : -1.0, 0.0), toRight ? right : left) - p;
-    vec3 y = placeOf(centre + vec2(0.0, toDown ? 1.0 : -1.0), toDown ? down : up) - p;
-    vec3 n = cross(x, y);
-    vec3 view = frame.eye.w > 0.0 ? normalize(p - frame.eye.xyz) : frame.viewDirection.xyz;
+    float right = depthBehind(centre + vec2(1.0, 0.0)) - z;
+    float left = z - depthBehind(centre - vec2(1.0, 0.0));
+    float down = depthBehind(centre + vec2(0.0, 1.0)) - z;
+    float up = z - depthBehind(centre - vec2(0.0, 1.0));
+    vec2 perPixel = vec2(abs(right) < abs(left) ? right : left, abs(down) < abs(up) ? down : up);
+    vec2 perClip = vec2(0.5, -0.5) * frame.picture.xy * perPixel;
+    vec2 clip = vec2(2.0, -2.0) * (centre / frame.picture.xy - 0.5);
+    vec4 plane = vec4(perClip, -1.0, z - dot(perClip, clip)); // dot(plane, clip coordinates) = 0
+    vec3 n = (plane * frame.clipFromWorld).xyz;
+    vec4 p = frame.worldFromClip * vec4(clip, z, 1.0);
+    vec3 view = frame.eye.w > 0.0 ? normalize(p.xyz / p.w - frame.eye.xyz) : frame.viewDirection.xyz;
     // At a grazing beam the spot on the surface grows without end; past a factor of 16 it is the sky's business.
     float seen = abs(dot(n, view));
     float met = abs(dot(n, direction));
     return clamp(seen / max(met, 1e-30), 1.0 / 16.0, 16.0);
 }
 
-// `guess`: depth to depth first; not where the ray starts from a surface that is in the depth.
-// One loop with one read for guesses, steps and what closes in on a crossing: machines that run pixels in lockstep pay for every
-// branch that is written.
-Meeting meetBackdrop(vec3 origin, vec3 direction, bool guess) {
-    vec4 from = frame.clipFromWorld * vec4(origin, 1.0);
-    vec4 along = frame.clipFromWorld * vec4(direction, 0.0);
-    Meeting met = nowhere();
-    if (!(from.w > 0.0)) return met;
+// From depth to depth: what was read is taken for a plane across the view, and read again where the beam meets that. True if that
+// settles: `distance` is then that of a meeting.
+bool guessMeeting(vec4 from, vec4 along, out float distance) {
+    distance = -1.0;
+    vec2 at = pixelOf(from);
+    bool settled = false;
+    for (int k = 0; k < MEETING_GUESSES && !settled; ++k) {
+        float z = depthBehind(at);
+        bool sky = z == 0.0;
+        float met = sky ? -1.0 : distanceToDepth(from, along, z);
+        vec4 there = sky ? along : from + met * along;
+        if (!((sky || met >= 0.0) && there.w > 0.0)) break;
+        // Off the picture its border goes on (depthBehind): the picture's share in the beam fades there, it does not end.
+        vec2 next = pixelOf(there);
+        vec2 moved = abs(next - at);
+        at = next;
+        // Within a pixel the depth that was read is the depth there.
+        settled = k > 0 && max(moved.x, moved.y) < 1.0;
+        distance = met;
+    }
+    return settled;
+}
 
-    // The way to the end of the scene, as far as it stays on the picture and before the camera: each clip plane x = ±w, y = ±w
-    // and w = a hundredth of where it began cuts off what lies beyond. A wall may be what bounds the scene: a fiftieth further.
-    float most = 1.02 * max(distanceOutOfScene(origin, direction), 0.0);
-    vec4 way = most * along;
+// The share of the way of a beam that the picture can show: to the end of the scene, as far as it stays on the picture and before
+// the camera. Each clip plane x = ±w, y = ±w and w = a hundredth of where it began cuts off what lies beyond.
+float wayOnPicture(vec4 from, vec4 way) {
     vec4 room = max(vec4(from.w - from.x, from.w + from.x, from.w - from.y, from.w + from.y), vec4(0.0));
     vec4 loss = vec4(way.x - way.w, -way.x - way.w, way.y - way.w, -way.y - way.w);
     vec4 cut = min(room / max(max(loss, room), vec4(1e-30)), vec4(1.0)); // 1 where nothing is cut
     float end = min(min(cut.x, cut.y), min(cut.z, cut.w));
-    end = min(end, 0.99 * from.w / max(-way.w, 0.99 * from.w));
+    return min(end, 0.99 * from.w / max(-way.w, 0.99 * from.w));
+}
+
+// In steps that are even on the screen, a pixel long at least, and closing in where one went behind the depth.
+Meeting stepToMeeting(vec4 from, vec4 along, float most) {
+    vec4 way = most * along;
+    float end = wayOnPicture(from, way);
     vec4 to = from + end * way;
     vec3 a = from.xyz / from.w;
     vec3 b = to.xyz / to.w;
+    vec2 pixels = 0.5 * abs(b.xy - a.xy) * frame.picture.xy;
+    int steps = int(clamp(ceil(max(pixels.x, pixels.y)), 1.0, float(MEETING_STEPS)));
 
-    int guesses = guess ? MEETING_GUESSES : 0; // left to make
-    int step = -1;                             // -1: the height at the start is not known yet
-    int secant = 0;                            // > 0: between low (in front) and high (behind)
+    Meeting met = nowhere();
+    int step = -1;  // the height at the start is not known yet
+    int secant = 0; // > 0: between low (in front) and high (behind)
     float low = 0.0;
     float heightLow = 0.0;
     float high = 0.0;
     float heightHigh = 0.0;
-    float gap = 0.0;  // of the heights where the crossing was noticed
-    float last = 0.0; // height at the step before
+    float gap = 0.0;     // of the heights where the crossing was noticed
+    float last = 0.0;    // height at the step before
     float hidden = -1.0; // where it went behind something
-    vec2 at = pixelOf(from);
-    bool settled = false;
-    for (int k = 0; k < MEETING_READS; ++k) {
-        bool guessing = guesses > 0;
+    for (int k = 0; k < MEETING_READS && !met.seen; ++k) {
         bool closing = secant > 0;
         // In the middle first: a step in depth between the two ends, like the outline of what the ray leaves, would hold a
         // secant at one of them.
         float share = (secant & 1) == 0 ? heightLow / (heightLow - heightHigh) : 0.5;
-        float u = closing ? mix(low, high, share) : float(step + 1) / float(MEETING_STEPS);
+        float u = closing ? mix(low, high, share) : float(step + 1) / float(steps);
         vec3 ndc = mix(a, b, u);
-        vec2 place = guessing ? at : (vec2(0.5, -0.5) * ndc.xy + 0.5) * frame.picture.xy;
-        float z = depthBehind(place);
-        if (guessing) {
-            // What was read is taken for a plane across the view.
-            bool sky = z == 0.0;
-            float distance = sky ? -1.0 : distanceToDepth(from, along, z);
-            vec4 there = sky ? along : from + distance * along;
-            bool possible = (sky || distance >= 0.0) && there.w > 0.0;
-            // Off the picture its border goes on (depthBehind): the picture's share in the beam fades there, it does not end.
-            vec2 next = pixelOf(there);
-            vec2 moved = abs(next - at);
-            at = next;
-            // Within a pixel the depth that was read is the depth there.
-            settled = possible && guesses < MEETING_GUESSES && max(moved.x, moved.y) < 1.0;
-            met.distance = distance;
-            guesses = possible ? guesses - 1 : 0;
-        } else if (closing) {
-            float height = ndc.z - z; // above the surface: positive
+        float height = ndc.z - depthBehind((vec2(0.5, -0.5) * ndc.xy + 0.5) * frame.picture.xy); // above the surface: positive
+        if (closing) {
             ++secant;
             bool front = height >= 0.0;
             low = front ? u : low;
@@ -178,26 +174,24 @@ Meeting meetBackdrop(vec3 origin, vec3 direction, bool guess) {
             // Over a surface the heights close in on 0, at an edge they do not: there the ray went behind something nearer, and
             // comes out again or not.
             bool given = secant > MEETING_SECANTS;
-            settled = rest < 0.02 * gap || (given && rest < 0.1 * gap);
+            met.seen = rest < 0.02 * gap || (given && rest < 0.1 * gap);
             met.distance = most * end * wayAlong(mix(low, high, heightLow / max(heightLow - heightHigh, 1e-30)), from.w, to.w);
             hidden = given ? low : hidden;
             secant = given ? 0 : secant;
         } else {
-            float height = ndc.z - z;
             ++step;
             bool crossed = step > 0 && last >= 0.0 && height < 0.0;
             secant = crossed ? 1 : 0;
-            low = float(step - 1) / float(MEETING_STEPS);
+            low = float(step - 1) / float(steps);
             heightLow = last;
             high = u;
             heightHigh = height;
             gap = last - height;
             last = height;
         }
-        if (settled || (guesses == 0 && secant == 0 && step == MEETING_STEPS)) break;
+        if (secant == 0 && step == steps) break;
     }
-    met.seen = settled;
-    if (!settled) {
+    if (!met.seen) {
         bool front = last >= 0.0;
         // It ends behind something: what is seen beside that is the best guess, and continuous with what is seen before. It is
         // in front when it leaves the picture: the border goes on. Else it meets nothing: the sky, if the picture shows that.
@@ -208,6 +202,18 @@ Meeting meetBackdrop(vec3 origin, vec3 direction, bool guess) {
         bool sky = front && along.w > 0.0 && (end < 1.0 ? z <= 0.0 : depthBehind(pixelOf(along)) == 0.0);
         met.seen = behind || (bordered ? met.distance >= 0.0 : sky);
     }
+    return met;
+}
+
+// `guess`: depth to depth first; not where the ray starts from a surface that is in the depth.
+Meeting meetBackdrop(vec3 origin, vec3 direction, bool guess) {
+    vec4 from = frame.clipFromWorld * vec4(origin, 1.0);
+    vec4 along = frame.clipFromWorld * vec4(direction, 0.0);
+    Meeting met = nowhere();
+    if (!(from.w > 0.0)) return met;
+    if (guess) met.seen = guessMeeting(from, along, met.distance);
+    // A wall may be what bounds the scene: a fiftieth further.
+    if (!met.seen) met = stepToMeeting(from, along, 1.02 * max(distanceOutOfScene(origin, direction), 0.0));
     if (met.seen && met.distance > 0.0)
         met.foreshortening = foreshorteningAt(pixelOf(from + met.distance * along), direction);
     return met;

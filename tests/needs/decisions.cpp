@@ -151,8 +151,8 @@ TEST(needs, glass_behind_glass_takes_two_layers_the_farther_one_first) {
   add(scene, ball(glass(0.1f)), at({0.5f, 0, -3}));
   const Needs needs = needs::needs_of(scene, view());
   ASSERT_EQ(needs.layers.size(), 2u);
-  EXPECT_GT(needs.layers[0].refractive[0].draw->distance,
-            needs.layers[1].refractive[0].draw->distance);
+  EXPECT_GT(needs.layers[0].regions[0].draws[0]->distance,
+            needs.layers[1].regions[0].draws[0]->distance);
   EXPECT_EQ(std::ranges::count(labels(needs), "refractive"), 2);
 }
 
@@ -171,6 +171,39 @@ TEST(needs, a_thin_wall_with_two_sides_is_two_things) {
   ASSERT_EQ(needs.layers.size(), 2u);
   EXPECT_EQ(needs.layers[0].refractive[0].faces, needs::Faces::back);
   EXPECT_EQ(needs.layers[1].refractive[0].faces, needs::Faces::front);
+}
+
+// The first layer of the inside is what is seen, unless a map or peers' way of shading asks for the mesh itself.
+TEST(needs, a_solid_is_drawn_by_its_pixels_where_the_mesh_has_no_more_to_say) {
+  scene::Scene scene = ball(glass(0.1f));
+  const Needs plain = needs::needs_of(scene, view());
+  EXPECT_EQ(plain.layers[0].regions.size(), 1u);
+  EXPECT_TRUE(plain.layers[0].refractive.empty());
+
+  const Needs peers = needs::needs_of(scene, view(Method::standard));
+  EXPECT_TRUE(peers.layers[0].regions.empty());
+  EXPECT_EQ(peers.layers[0].refractive.size(), 1u);
+
+  scene.materials[0].alpha_mode = scene::AlphaMode::mask;
+  const Needs masked = needs::needs_of(scene, view());
+  EXPECT_TRUE(masked.layers[0].regions.empty());
+  EXPECT_EQ(masked.layers[0].refractive.size(), 1u);
+}
+
+TEST(needs, back_faces_of_a_closed_solid_are_seen_only_where_the_near_plane_cuts_it) {
+  const auto seen_from_within = [](bool double_sided, float distance) {
+    scene::Scene scene = box(glass(0.1f));
+    scene.materials[0].double_sided = double_sided;
+    needs::View near = view();
+    near.camera = camera_at({0, 0, distance});
+    near.camera.near = 0.01f;
+    const Needs needs = needs::needs_of(scene, near);
+    return value_of(needs.draws.all[0].key, needs::Feature::seen_from_within) != 0;
+  };
+  EXPECT_FALSE(seen_from_within(false, 3.0f));
+  EXPECT_FALSE(seen_from_within(true, 3.0f));
+  EXPECT_TRUE(seen_from_within(false, 0.2f));
+  EXPECT_TRUE(seen_from_within(false, 1.005f)) << "outside, but nearer than the near plane";
 }
 
 TEST(needs, what_stands_before_glass_is_its_foreground_and_what_stands_behind_is_not) {

@@ -1,6 +1,8 @@
 // What is seen through glass: where, how blurred, how bright, and that nothing else gets in.
+#include "core/files.h"
 #include "render/harness.h"
 #include "render/shapes.h"
+#include "scene/load.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -183,6 +185,66 @@ TEST_P(Render, something_opaque_in_glass_is_seen_and_hides_what_is_behind) {
   const glm::vec3 middle = color(picture, size / 2, size / 2);
   EXPECT_GT(middle.x, 0.9f);
   EXPECT_LT(middle.z, 0.1f); // its reflection, 4 %
+}
+
+// By pixels or by triangles: what the mesh sends with white vertices is what the layer of the inside holds.
+TEST_P(Render, glass_is_the_same_by_its_pixels_and_by_its_triangles) {
+  scene::Scene by_pixel = scene::load(home_directory() / "assets/scenes/Suzanne/Suzanne.gltf");
+  by_pixel.materials[0] = glass(0.4f);
+  by_pixel.materials[0].attenuation_color = {0.3f, 0.9f, 0.5f};
+  by_pixel.materials[0].attenuation_distance = 1.0f;
+  add(by_pixel, square(unlit({0.2f, 0.6f, 1.0f})), placed({0.7f, 0, -2}, glm::vec3(0.9f)));
+  add(by_pixel, square(unlit({1.0f, 0.4f, 0.2f})), placed({0.5f, -0.4f, 1.5f}, glm::vec3(0.2f)));
+  scene::Scene by_triangle = by_pixel;
+  scene::Primitive& head = by_triangle.meshes[0].primitives[0];
+  const std::size_t vertices =
+      by_triangle.streams[static_cast<std::size_t>(head.positions)].values.size() / 3;
+  head.colors = static_cast<scene::Index>(by_triangle.streams.size());
+  by_triangle.streams.push_back(
+      {.components = 4, .values = std::vector<float>(4 * vertices, 1.0f)});
+
+  const auto sky = environment_of(64, [](glm::dvec3 d) { return 0.5 + 0.5 * d; });
+  const frame::FrameDesc desc = from({0, 0.2f, 4});
+  const image::Image a = draw(by_pixel, {sky, desc}), b = draw(by_triangle, {sky, desc});
+  // A layer's normals are rounded by up to .00007 rad and points by 1e-6: what falls beside an edge of what is seen, or a step of
+  // the search, falls to its other side in few pixels.
+  int apart = 0;
+  double mean = 0.0;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const double difference = glm::length(color(a, x, y) - color(b, x, y));
+      apart += difference > 0.01;
+      mean += difference / (size * size);
+    }
+  EXPECT_LT(apart, size * size / 100);
+  EXPECT_LT(mean, 1e-3);
+}
+
+TEST_P(Render, the_inside_of_glass_is_seen_whatever_its_material_says_of_sides) {
+  const auto sky = environment_of(64, [](glm::dvec3 d) { return 0.5 + 0.5 * d; });
+  frame::FrameDesc desc = from({0, 0, 0.2f});
+  desc.camera.near = 0.01f;
+  scene::Scene scene = box(glass(0.3f));
+  const image::Image one_side = draw(scene, {sky, desc});
+  scene.materials[0].double_sided = true;
+  EXPECT_TRUE(one_side.values == draw(scene, {sky, desc}).values);
+  // Not the sky without the box, which bends it.
+  scene.instances.clear();
+  EXPECT_FALSE(one_side.values == draw(scene, {sky, desc}).values);
+}
+
+// What has holes is seen through by glass behind it as it is in front of it.
+TEST_P(Render, holes_of_what_stands_before_glass_are_not_cut_out) {
+  scene::Scene scene = square(unlit(glm::vec3(1.0f)));
+  scene.instances[0].world = placed({0, 0, -2}, glm::vec3(3.0f));
+  add(scene, plate(glass(0.4f)), glm::mat4(1.0f));
+  const image::Image without = draw(scene, {std::nullopt, from({0, 0, 4})});
+  scene::Material holes = unlit(glm::vec3(0.0f));
+  holes.alpha_mode = scene::AlphaMode::mask;
+  holes.base_color.a = 0.0f; // nothing but a hole
+  holes.alpha_cutoff = 0.5f;
+  add(scene, square(holes), placed({0, 0, 1}, glm::vec3(0.3f)));
+  EXPECT_TRUE(without.values == draw(scene, {std::nullopt, from({0, 0, 4})}).values);
 }
 
 TEST_P(Render, glass_behind_glass_takes_a_picture_for_each_and_side_by_side_one) {

@@ -1,0 +1,60 @@
+// refractive.glsl: a surface of glass: what it reflects, and what is seen through it.
+// Frame    world, metres.
+// Needs    interface/{frame,instance,lights,material}.glsl, stages/material_features.glsl, the inputs of opaque.vert.
+// Returns  refractiveColor: radiance, premultiplied by the coverage in w. base: surfaceBaseColor().
+#include "stages/surface.glsl"
+#include "stages/object.glsl"
+#include "stages/reflectance.glsl"
+#include "stages/punctual_lights.glsl"
+#include "stages/environment.glsl"
+#include "stages/surroundings.glsl"
+#include "stages/environment_light.glsl"
+#include "stages/glass.glsl"
+#include "stages/importance.glsl"
+#include "stages/importance_glass.glsl"
+
+vec4 refractiveColor(vec4 base) {
+    float coverage = alphaMode == 2 ? base.w : 1.0;
+    Surface s = readSurface(base);
+    float through = s.transmission * (1.0 - s.metallic);
+    // A base colour tints what passes once: its root at each face of a solid.
+    bool twice = !seenFromWithin || gl_FrontFacing;
+    vec3 tint = through * (twice ? s.baseColor : sqrt(s.baseColor));
+    vec3 radiance = s.emissive;
+    float ior = material.surface.w;
+    WeightedBeam mirror = noBeam(s.position, s.n);
+    if (hasEnvironment) {
+        EnvironmentLight light = environmentLobe(s);
+        LobeTap tap = mergedTap(s, light);
+        mirror.beam = straightBeam(s.position, tap.direction, tap.sigma);
+        mirror.weight = light.weight;
+        radiance += light.diffuse;
+    }
+    if (indexIsOne) {
+        radiance += tint * throughNothing();
+    } else if (method == 0) {
+        radiance += tint * throughStandard(s, ior) + mirror.weight * farRadiance(mirror.beam.direction, mirror.beam.sigma);
+    } else {
+        // Where the index depends on the wavelength each channel goes its own way.
+        int ways = disperses ? 3 : 1;
+        for (int k = 0; k < ways; ++k) {
+            vec3 mask = vec3(1.0);
+            if (disperses) mask = vec3(k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0);
+            float own = disperses ? dispersedIor(ior, material.transmission.z, k) : ior;
+            GlassBeams beams;
+            if (twice) beams = throughTwoFaces(s, own);
+            else beams = outOfSolid(s, own);
+            beams.core.weight *= tint;
+            beams.rest.weight *= tint;
+            beams.bounced.weight *= tint;
+            beams.leftOver.weight *= tint;
+            if (method >= 100 && twice && !(beams.within >= 0.0)) {
+                radiance += mask * tint * sampledGlass(s, own, beams, method - 100);
+                beams.core.weight = vec3(0.0);
+            }
+            radiance += mask * glassRadiance(beams, mirror);
+        }
+    }
+    if (hasLights) radiance += punctualLight(s);
+    return vec4(radiance * coverage, coverage);
+}

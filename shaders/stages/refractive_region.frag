@@ -1,0 +1,35 @@
+// refractive_region.frag: a solid of glass, by the pixels of the region that it is in: its nearest front faces are the first layer
+// of the interior already. Triangles of a fine mesh are a few pixels each, and machines that shade blocks of pixels would shade
+// most of them several times.
+// Limits   no maps and no colours of vertices: the layer holds depth, normal and alpha.
+#version 450
+#include "interface/frame.glsl"
+#include "interface/instance.glsl"
+#include "interface/lights.glsl"
+#include "interface/material.glsl"
+#include "stages/material_features.glsl"
+
+layout(location = 0) out vec4 outColor; // premultiplied
+
+// What opaque.vert would have sent.
+vec3 inPosition;
+vec3 inNormal;
+const vec4 inTangent = vec4(0.0);
+const vec4 inColor = vec4(1.0);
+const vec4 inUv01 = vec4(0.0);
+const vec4 inUv23 = vec4(0.0);
+
+#include "stages/refractive.glsl"
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    uvec4 texel = texelFetch(interior, ivec3(at, 0), 0);
+    float depth = uintBitsToFloat(texel.x);
+    // Where the solid is not, or stands behind something opaque, what is there stays. The depth test has left out most of that.
+    bool shown = texel.w == objectId() && depth >= texelFetch(backdropDepth, at, 0).x;
+    InteriorSurface s = interiorSurface(interiorCamera(), texel, at);
+    inPosition = s.point;
+    inNormal = s.n;
+    vec4 color = refractiveColor(surfaceBaseColor());
+    outColor = shown ? color : vec4(0.0);
+}
