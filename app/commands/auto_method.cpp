@@ -32,9 +32,6 @@ void check(const MethodOptions& o) {
                   "is given with --method " + o.method, "Write --method auto.");
     return;
   }
-  if (o.multiscatter)
-    throw Error(ExitCode::usage, "--method auto", "does not measure --multiscatter",
-                "Name the method, or leave --multiscatter out.");
   if (!o.budget == !o.max_error)
     throw Error(ExitCode::usage, "--method auto", "wants one limit",
                 "Give --budget MS or --max-error X (relMSE over the objects).");
@@ -62,17 +59,18 @@ NamedMethod choose_method(const SceneOptions& scene, const DeviceOptions& device
   check(method);
   if (method.method != "auto") return find_method(method.method);
   report::Plan plan{.correlated_smith = method.smith == "correlated",
+                    .multiple_scattering = method.multiscatter,
                     .samples = 1,
                     .truth_samples = measured_samples,
                     .limit = {.max_error = method.max_error, .budget = method.budget}};
   for (const NamedMethod& m : methods())
-    plan.methods.push_back({m.name, m.method, m.taps});
+    plan.methods.push_back({m.name, m.method});
   plan.devices.emplace_back(device.backend, [device] { return open_device(device); });
 
   const truth::Interruptible interruptible;
   const report::Cache cache(measurements());
   report::Devices devices(plan);
-  const report::Subject full = subject_of(scene, method.smith);
+  const report::Subject full = subject_of(scene, method.smith, method.multiscatter);
   std::vector<report::Point> points;
   try {
     std::unique_ptr<report::Loaded> loaded;
@@ -85,8 +83,8 @@ NamedMethod choose_method(const SceneOptions& scene, const DeviceOptions& device
     plan.samples = 4; // the small picture's edges, antialiased as the truth's are
     plan.frames = 1;  // its times are not asked for
     report::Work work;
-    const report::Section small =
-        report::measure(subject_of(reduced(scene), method.smith), plan, cache, devices, work);
+    const report::Section small = report::measure(
+        subject_of(reduced(scene), method.smith, method.multiscatter), plan, cache, devices, work);
     for (std::size_t i = 0; i < points.size(); ++i)
       points[i].error = small.cells[i].verdict.objects.relmse;
   } catch (const report::Interrupted&) {

@@ -239,9 +239,9 @@ std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options) {
 
 const std::vector<NamedMethod>& methods() {
   static const std::vector<NamedMethod> all = {
-      {"standard", needs::Method::standard, 1}, {"lobes1", needs::Method::lobes1, 1},
-      {"lobes2", needs::Method::lobes2, 2},     {"lobes3", needs::Method::lobes3, 3},
-      {"lobes4", needs::Method::lobes4, 4},     {"fis16", needs::fis(16), 16}};
+      {"standard", needs::Method::standard}, {"lobes1", needs::Method::lobes1},
+      {"lobes2", needs::Method::lobes2},     {"lobes3", needs::Method::lobes3},
+      {"lobes4", needs::Method::lobes4},     {"fis16", needs::fis(16)}};
   return all;
 }
 
@@ -258,7 +258,7 @@ NamedMethod find_method(const std::string& text) {
     const char *first = text.data() + 3, *last = text.data() + text.size();
     const auto [end, error] = std::from_chars(first, last, samples);
     if (error == std::errc() && end == last && samples >= 1 && samples <= most_samples)
-      return {text, needs::fis(samples), samples};
+      return {text, needs::fis(samples)};
   }
   refuse("--method", text, "The methods are " + names + ", and fis1 to fis1024.");
 }

@@ -75,7 +75,6 @@ std::string command_line();
 struct NamedMethod {
   std::string name; // as --method takes it
   needs::Method method;
-  int taps; // lookups of the blurred surroundings per pixel and lobe
 };
 // All that a report compares if it is not told which.
 const std::vector<NamedMethod>& methods();

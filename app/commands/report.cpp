@@ -27,6 +27,7 @@ struct Options {
   int device = -1, samples = 16, frames = 20;
   long spp = 256;
   double error = 0.0;
+  bool multiscatter = false;
   std::optional<double> max_error, budget;
 };
 
@@ -67,11 +68,11 @@ std::vector<report::Method> methods_of(const Options& o) {
   std::vector<report::Method> result;
   if (o.methods.empty())
     for (const NamedMethod& m : methods())
-      result.push_back({m.name, m.method, m.taps});
+      result.push_back({m.name, m.method});
   else
     for (const std::string& name : split(o.methods, "--methods")) {
       const NamedMethod m = find_method(name);
-      result.push_back({m.name, m.method, m.taps});
+      result.push_back({m.name, m.method});
     }
   return result;
 }
@@ -79,6 +80,7 @@ std::vector<report::Method> methods_of(const Options& o) {
 report::Plan plan_of(const Options& o) {
   report::Plan plan{.methods = methods_of(o),
                     .correlated_smith = o.smith == "correlated",
+                    .multiple_scattering = o.multiscatter,
                     .samples = o.samples,
                     .frames = o.frames,
                     .truth_samples = o.spp,
@@ -95,7 +97,7 @@ report::Plan plan_of(const Options& o) {
   for (const std::string& scene : o.scenes) {
     SceneOptions one = o.view;
     one.scene = scene;
-    plan.subjects.push_back(subject_of(one, o.smith));
+    plan.subjects.push_back(subject_of(one, o.smith, o.multiscatter));
     // Scenes of one name in different folders are told apart by a number.
     const std::string name = plan.subjects.back().name;
     const auto same = std::ranges::count(
@@ -156,6 +158,8 @@ void add_report(CLI::App& app) {
       ->excludes(spp);
   command->add_option("--smith", o->smith, "Shadowing: separable (Walter 2007) or correlated")
       ->capture_default_str();
+  command->add_flag("--multiscatter", o->multiscatter,
+                    "Give back the energy of multiple scattering, in the truth too");
   CLI::Option* budget =
       command->add_option("--budget", o->budget, "Name the most accurate method within so many ms");
   command

@@ -13,13 +13,15 @@ namespace gg::commands {
 namespace {
 
 // What `groundglass needs` prints, of the method that does the most.
-std::vector<std::string> needs_of(const report::Loaded& loaded, Size size, bool correlated_smith) {
+std::vector<std::string> needs_of(const report::Loaded& loaded, Size size, bool correlated_smith,
+                                  bool multiscatter) {
   needs::View view{.camera = loaded.camera,
                    .width = size.width,
                    .height = size.height,
                    .samples = 1,
                    .method = methods().back().method,
-                   .correlated_smith = correlated_smith};
+                   .correlated_smith = correlated_smith,
+                   .multiple_scattering = multiscatter};
   if (loaded.environment) view.environment = environment::bytes_of(*loaded.environment);
   std::istringstream text(needs::text_of(needs::needs_of(loaded.scene, view)));
   std::vector<std::string> lines;
@@ -30,7 +32,7 @@ std::vector<std::string> needs_of(const report::Loaded& loaded, Size size, bool 
 
 } // namespace
 
-report::Subject subject_of(const SceneOptions& o, const std::string& smith) {
+report::Subject subject_of(const SceneOptions& o, const std::string& smith, bool multiscatter) {
   const Size size = parse_size(o.size);
   const auto file = environment_file(o);
   SceneOptions view = o; // what is left of the options when the files are known by their contents
@@ -40,27 +42,29 @@ report::Subject subject_of(const SceneOptions& o, const std::string& smith) {
                               .add(typed_view(view))
                               .add(file ? report::key_of_file(*file) : o.env)
                               .text();
-  return {
-      .name = std::filesystem::path(o.scene).stem().string(),
-      .path = o.scene,
-      .environment = file ? file->filename().string() : o.env,
-      .key = key,
-      .width = size.width,
-      .height = size.height,
-      .load =
-          [o, size] {
-            auto loaded = std::make_unique<report::Loaded>();
-            loaded->scene = load_scene(o);
-            loaded->camera = choose_camera(o, loaded->scene, size);
-            loaded->environment = load_environment(o, loaded->scene);
-            loaded->rotation = glm::radians(o.env_rotation);
-            loaded->intensity = o.env_intensity;
-            return loaded;
-          },
-      .needs = [size, smith](
-                   const report::Loaded& l) { return needs_of(l, size, smith == "correlated"); },
-      .options =
-          in_shell(o.scene) + typed_view(o) + (smith == "separable" ? "" : " --smith " + smith)};
+  return {.name = std::filesystem::path(o.scene).stem().string(),
+          .path = o.scene,
+          .environment = file ? file->filename().string() : o.env,
+          .key = key,
+          .width = size.width,
+          .height = size.height,
+          .load =
+              [o, size] {
+                auto loaded = std::make_unique<report::Loaded>();
+                loaded->scene = load_scene(o);
+                loaded->camera = choose_camera(o, loaded->scene, size);
+                loaded->environment = load_environment(o, loaded->scene);
+                loaded->rotation = glm::radians(o.env_rotation);
+                loaded->intensity = o.env_intensity;
+                return loaded;
+              },
+          .needs =
+              [size, smith, multiscatter](const report::Loaded& l) {
+                return needs_of(l, size, smith == "correlated", multiscatter);
+              },
+          .options = in_shell(o.scene) + typed_view(o)
+                     + (smith == "separable" ? "" : " --smith " + smith)
+                     + (multiscatter ? " --multiscatter" : "")};
 }
 
 } // namespace gg::commands

@@ -8,6 +8,7 @@ namespace gg::commands {
 
 // Reads the files once for their key; they are loaded when they are needed. Throws Error if a file
 // is missing or an option is not understood.
-report::Subject subject_of(const SceneOptions& options, const std::string& smith);
+report::Subject subject_of(const SceneOptions& options, const std::string& smith,
+                           bool multiscatter);
 
 } // namespace gg::commands

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 json to_json(const Cell& c) {
   json result{{"method", c.method},
-              {"taps", c.taps},
+              {"lookups", report::to_json(c.lookups)},
               {"backend", c.device.backend},
               {"surface", c.device.surface},
               {"device", c.device.name},
@@ -64,8 +64,9 @@ json to_json(const Report& report) {
 
 std::string to_csv(const Report& report) {
   std::string text =
-      "scene,method,backend,device,width,height,taps,ms_median,ms_low_quartile,"
-      "ms_high_quartile,ms_min,ms_max,frames,relmse,relmse_of_noise,rmse,signed_mean,"
+      "scene,method,backend,device,width,height,reflected,refracted,bounced,left_over,ms_median,"
+      "ms_low_quartile,ms_high_quartile,ms_min,ms_max,frames,relmse,relmse_of_noise,rmse,signed_"
+      "mean,"
       "p99,psnr,flip,frame_relmse,frame_flip,pixels,bytes,triangles,on_front\n";
   for (const Section& s : report.sections)
     for (std::size_t i = 0; i < s.cells.size(); ++i) {
@@ -73,9 +74,10 @@ std::string to_csv(const Report& report) {
       const Spread& ms = c.timing.frame;
       const image::Errors& e = c.verdict.objects;
       const bool on_front = std::ranges::find(s.front, i) != s.front.end();
-      text += fmt::format("{},{},{},{},{},{},{},", csv_field(s.name), csv_field(c.method),
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},", csv_field(s.name), csv_field(c.method),
                           csv_field(c.device.backend), csv_field(c.device.name), s.width, s.height,
-                          c.taps);
+                          c.lookups.reflected, c.lookups.refracted, c.lookups.bounced,
+                          c.lookups.left_over);
       text += fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},", ms.median, ms.low_quartile,
                           ms.high_quartile, ms.least, ms.most, ms.count);
       text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},", e.relmse,

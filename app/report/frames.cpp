@@ -49,7 +49,8 @@ public:
             .camera = loaded_.camera,
             .environment = {stack_ ? &*stack_ : nullptr, loaded_.rotation, loaded_.intensity},
             .method = method.method,
-            .correlated_smith = plan_.correlated_smith});
+            .correlated_smith = plan_.correlated_smith,
+            .multiple_scattering = plan_.multiple_scattering});
   }
 
 private:
@@ -66,7 +67,8 @@ std::string picture_key(const Subject& subject, const Plan& plan, const DeviceFa
   Key key;
   for (const std::string& text :
        {subject.key, key_of_frame_program(), device.backend, device.surface, device.name,
-        device.driver, method.name, std::string(plan.correlated_smith ? "correlated" : "")})
+        device.driver, method.name, std::string(plan.correlated_smith ? "correlated" : ""),
+        std::string(plan.multiple_scattering ? "multiple" : "")})
     key.add(text);
   return key.add(plan.samples).text();
 }
@@ -83,7 +85,7 @@ image::Image draw(const Stage& stage, const Plan& plan, const Method& method,
   return renderer->read();
 }
 
-// Fills in times, bytes and triangles of all cells.
+// Fills in times, bytes, triangles and lookups of all cells.
 void time_all(const std::vector<std::unique_ptr<Stage>>& stages, const Plan& plan,
               const std::string& what, std::vector<Cell>& cells) {
   std::vector<std::unique_ptr<frame::Renderer>> renderers;
@@ -96,6 +98,7 @@ void time_all(const std::vector<std::unique_ptr<Stage>>& stages, const Plan& pla
       Cell& cell = cells[timed.size()];
       cell.bytes = stage->environment_bytes() + stage->device().memory_bytes() - before;
       cell.triangles = renderers.back()->triangle_count();
+      cell.lookups = renderers.back()->needs().lookups;
       timed.push_back({&stage->device(), renderers.back().get()});
     }
   Progress progress(what + ": timing", plan.frames);
@@ -113,6 +116,7 @@ nlohmann::json times_of(const std::vector<Cell>& cells, const std::string& measu
     nlohmann::json one = to_json(cell.timing);
     one["bytes"] = cell.bytes;
     one["triangles"] = cell.triangles;
+    one["lookups"] = to_json(cell.lookups);
     list.push_back(std::move(one));
   }
   return {{"measured", measured}, {"cells", std::move(list)}};
@@ -127,6 +131,7 @@ bool take_times(const std::optional<nlohmann::json>& times, Drawn& result) {
         cells[i].timing = timing_from(list.at(i));
         cells[i].bytes = list.at(i).at("bytes");
         cells[i].triangles = list.at(i).at("triangles");
+        cells[i].lookups = lookups_from(list.at(i).at("lookups"));
       }
       result.measured = times->at("measured");
       result.cells = std::move(cells);
@@ -150,9 +155,8 @@ Drawn drawn(const Subject& subject, const Plan& plan, const Cache& cache, Device
   for (std::size_t d = 0; d < devices.count(); ++d) {
     const gpu::DeviceInfo& info = devices.at(d).info();
     for (const Method& method : plan.methods) {
-      result.cells.push_back({.method = method.name,
-                              .taps = method.taps,
-                              .device = {info.backend, info.surface, info.name, info.driver}});
+      result.cells.push_back(
+          {.method = method.name, .device = {info.backend, info.surface, info.name, info.driver}});
       result.picture_keys.push_back(picture_key(subject, plan, result.cells.back().device, method));
       all.add(result.picture_keys.back());
     }

@@ -163,8 +163,11 @@ constexpr const char* reading = "relMSE is the mean of (x - r)² / (r² + 0.01) 
                                 "objects cover wholly (unlit ones are the same in every method); "
                                 "so are signed mean (x - r) and p99 of "
                                 "|x - r|. FLIP and PSNR are of the displayed picture: clamped, "
-                                "sRGB, 67 pixels per degree. Left of the "
-                                "line is the truth, right of it the method.";
+                                "sRGB, 67 pixels per degree. Lookups are those of the blurred "
+                                "surroundings that one pixel makes, at most: of what is reflected, "
+                                "and for glass of what is refracted, of what leaves after total "
+                                "reflection and of what is left over. Left of the line is the "
+                                "truth, right of it the method.";
 
 } // namespace
 

@@ -130,4 +130,18 @@ Verdict verdict_from(const json& value) {
           .by_roughness = groups_from(value.at("by_roughness"))};
 }
 
+nlohmann::json to_json(const needs::Lookups& l) {
+  return {{"reflected", l.reflected},
+          {"refracted", l.refracted},
+          {"bounced", l.bounced},
+          {"left_over", l.left_over}};
+}
+
+needs::Lookups lookups_from(const nlohmann::json& value) {
+  return {.reflected = value.at("reflected"),
+          .refracted = value.at("refracted"),
+          .bounced = value.at("bounced"),
+          .left_over = value.at("left_over")};
+}
+
 } // namespace gg::report

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/compare.h"
+#include "needs/needs.h"
 #include "report/choice.h"
 
 #include <nlohmann/json.hpp>
@@ -52,7 +53,7 @@ struct DeviceFacts {
 // One method on one backend.
 struct Cell {
   std::string method;
-  int taps = 0; // lookups of the blurred surroundings per pixel
+  needs::Lookups lookups; // of the blurred surroundings, of one pixel, at most
   DeviceFacts device;
   std::size_t bytes = 0; // device memory of the frame at one sample per pixel, environment included
   std::size_t triangles = 0;
@@ -89,9 +90,11 @@ std::vector<Point> points_of(const std::vector<Cell>& cells);
 // To and from the cache, exactly.
 nlohmann::json to_json(const Timing& timing);
 nlohmann::json to_json(const Verdict& verdict);
+nlohmann::json to_json(const needs::Lookups& lookups);
 // Throw nlohmann::json::exception if something is missing.
 Timing timing_from(const nlohmann::json& value);
 Verdict verdict_from(const nlohmann::json& value);
+needs::Lookups lookups_from(const nlohmann::json& value);
 nlohmann::json to_json(const image::Errors& errors);
 
 } // namespace gg::report

@@ -42,7 +42,6 @@ struct Subject {
 struct Method {
   std::string name; // as --method takes it
   needs::Method method{};
-  int taps = 1;
 };
 
 struct Plan {
@@ -50,7 +49,7 @@ struct Plan {
   std::vector<Method> methods;
   // Each is opened at most once, when it is needed. The text is how --backend names it.
   std::vector<std::pair<std::string, std::function<std::unique_ptr<gpu::Device>()>>> devices;
-  bool correlated_smith = false;
+  bool correlated_smith = false, multiple_scattering = false;
   int samples = 16; // sub-pixel samples of a picture
   int frames = 20;  // to be timed
   long truth_samples = 256;

@@ -34,6 +34,13 @@ std::vector<std::string> column_names(const Section& section, const std::string&
   return names;
 }
 
+// Reflected, refracted, after total reflection and of what is left over: "1 + 2 + 1 + 1"; without
+// glass the first alone.
+std::string lookups_of(const needs::Lookups& l) {
+  if (l.refracted == 0) return std::to_string(l.reflected);
+  return fmt::format("{} + {} + {} + {}", l.reflected, l.refracted, l.bounced, l.left_over);
+}
+
 } // namespace
 
 std::string cell_name(const Section& section, const Cell& cell) {
@@ -74,10 +81,10 @@ std::string results_table(const Section& section) {
             + td(std::isfinite(e.psnr) ? fmt::format("{:.1f}", e.psnr) : "equal")
             + td(fmt::format("{:+.2g}", e.signed_mean)) + td(fmt::format("{:.3g}", e.p99))
             + td(fmt::format("{:.1f}", static_cast<double>(cell.bytes) / (1024.0 * 1024.0)))
-            + td(std::to_string(cell.taps)) + td(front ? "on the front" : "") + "</tr>\n";
+            + td(lookups_of(cell.lookups)) + td(front ? "on the front" : "") + "</tr>\n";
   }
   return table(head({"method", "ms", "quartiles", "least – most", "relMSE", "FLIP", "PSNR dB",
-                     "signed mean", "p99", "MiB", "taps", "Pareto"}),
+                     "signed mean", "p99", "MiB", "lookups", "Pareto"}),
                rows);
 }
 

@@ -23,11 +23,10 @@ bool enough(const TruthRecord& record, const Plan& plan) {
 }
 
 std::string key_of(const Subject& subject, const Plan& plan) {
-  return Key()
-      .add(subject.key)
-      .add(plan.correlated_smith ? "correlated" : "separable")
-      .add(key_of_truth_program())
-      .text();
+  Key key;
+  key.add(subject.key).add(plan.correlated_smith ? "correlated" : "separable");
+  if (plan.multiple_scattering) key.add("multiple scattering");
+  return key.add(key_of_truth_program()).text();
 }
 
 std::optional<TruthRecord> stored(const Cache& cache, const std::string& key) {
@@ -73,7 +72,8 @@ bool trace(const Subject& subject, const Plan& plan, const Loaded& loaded, truth
   const truth::Integrator integrator(
       loaded.scene, environment ? &*environment : nullptr,
       camera.orthographic() ? std::nullopt : std::optional(camera.eye()),
-      {.smith = plan.correlated_smith ? truth::Smith::correlated : truth::Smith::separable});
+      {.smith = plan.correlated_smith ? truth::Smith::correlated : truth::Smith::separable,
+       .multiple_scattering = plan.multiple_scattering});
   const truth::RenderDesc desc{.samples = plan.truth_error > 0.0 ? no_limit : plan.truth_samples,
                                .error = plan.truth_error};
   Progress progress(subject.name + ": truth", 1000);

@@ -17,7 +17,7 @@ namespace {
 
 Cell cell(const std::string& method, const std::string& backend, double ms, double error) {
   Cell c{.method = method,
-         .taps = 1,
+         .lookups = {1, 2, 3, 4},
          .device = {backend, "surface", "device, with a comma", "driver"},
          .bytes = 1 << 20,
          .triangles = 12,
