@@ -36,7 +36,7 @@ struct DeviceOptions {
 };
 
 struct MethodOptions {
-  std::string method = "lobes1", smith = "separable";
+  std::string method = "lobes2", smith = "separable";
   bool multiscatter = false;
   int samples = 16;
   std::optional<double> budget, max_error; // ms; relMSE: of --method auto

@@ -100,7 +100,14 @@ void Renderer::make_frame_blocks() {
                  backdrop_ ? backdrop_->last_level() : 0};
     f.boundsLow = glm::vec4(needs_.bounds.low, 0.0f);
     f.boundsHigh = glm::vec4(needs_.bounds.high, 0.0f);
-    f.counts = {static_cast<int>(needs_.scene->lights.size()), 0, 0, 0};
+    f.counts = {static_cast<int>(needs_.scene->lights.size()),
+                static_cast<int>(needs_.walls.size()), 0, 0};
+    for (std::size_t w = 0; w < needs_.walls.size(); ++w) {
+      const needs::Wall& wall = needs_.walls[w];
+      f.walls[3 * w] = glm::vec4(wall.centre, 0.0f);
+      f.walls[3 * w + 1] = glm::vec4(wall.gradient_u, 0.0f);
+      f.walls[3 * w + 2] = glm::vec4(wall.gradient_v, 0.0f);
+    }
     frames.push_back(f);
   }
   frames_ = upload_uniforms(device_, "frame", frames);

@@ -189,6 +189,7 @@ Needs needs_of(const scene::Scene& scene, const View& view) {
   needs.draws = draws_of(scene, view);
   needs.sky = view.environment.has_value();
   needs.company = needs.sky && needs.draws.all.size() > 1 && view.method != Method::standard;
+  if (view.method != Method::standard) needs.walls = walls_of(scene, needs.draws);
   needs.bounds = bounds_of(needs.draws.all, scene.bounds);
   sort_opaque(needs);
   sort_layers(needs);

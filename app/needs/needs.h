@@ -8,6 +8,7 @@
 #include "needs/passes.h"
 #include "needs/tables.h"
 #include "needs/view.h"
+#include "needs/walls.h"
 
 #include <cstddef>
 #include <string>
@@ -43,6 +44,7 @@ struct Needs {
   std::vector<LayerDraw> over_opaque;  // blended surfaces with no glass behind them
   std::vector<Layer> layers;           // the farthest first, each with glass in it or behind it
   bool company = false;                // reflections can meet other things
+  std::vector<Wall> walls;             // that they can meet where the picture ends
   bool sky = false;
   scene::Bounds bounds; // of what is drawn, in the world: beyond it no ray meets anything
 

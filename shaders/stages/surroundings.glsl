@@ -37,6 +37,8 @@ struct Meeting {
     float distance; // metres from the origin; negative: nowhere, it goes to the sky
     bool seen;      // the picture shows it
     float foreshortening; // area that the picture shows of a patch of the surface, over the area that the beam does
+    bool guessed;   // the picture does not show that place: its border is taken to go on
+    bool wall;      // it does not, but something opaque is known to be there
 };
 
 const float OUTSIDE_FADE = 1.0; // of the picture's height
@@ -70,6 +72,8 @@ Meeting nowhere() {
     m.distance = -1.0;
     m.seen = false;
     m.foreshortening = 1.0;
+    m.guessed = true;
+    m.wall = false;
     return m;
 }
 
@@ -103,12 +107,11 @@ float foreshorteningAt(vec2 at, vec3 direction) {
 }
 
 // From depth to depth: what was read is taken for a plane across the view, and read again where the beam meets that. True if that
-// settles: `distance` is then that of a meeting.
-bool guessMeeting(vec4 from, vec4 along, out float distance) {
-    distance = -1.0;
+// settles.
+Meeting guessMeeting(vec4 from, vec4 along) {
+    Meeting guess = nowhere();
     vec2 at = pixelOf(from);
-    bool settled = false;
-    for (int k = 0; k < MEETING_GUESSES && !settled; ++k) {
+    for (int k = 0; k < MEETING_GUESSES && !guess.seen; ++k) {
         float z = depthBehind(at);
         bool sky = z == 0.0;
         float met = sky ? -1.0 : distanceToDepth(from, along, z);
@@ -119,10 +122,11 @@ bool guessMeeting(vec4 from, vec4 along, out float distance) {
         vec2 moved = abs(next - at);
         at = next;
         // Within a pixel the depth that was read is the depth there.
-        settled = k > 0 && max(moved.x, moved.y) < 1.0;
-        distance = met;
+        guess.seen = k > 0 && max(moved.x, moved.y) < 1.0;
+        guess.distance = met;
     }
-    return settled;
+    guess.guessed = any(lessThan(at, vec2(0.0))) || any(greaterThan(at, frame.picture.xy));
+    return guess;
 }
 
 // The share of the way of a beam that the picture can show: to the end of the scene, as far as it stays on the picture and before
@@ -201,8 +205,30 @@ Meeting stepToMeeting(vec4 from, vec4 along, float most) {
         met.distance = behind ? most * end * wayAlong(hidden, from.w, to.w) : bordered ? distanceToDepth(from, along, z) : -1.0;
         bool sky = front && along.w > 0.0 && (end < 1.0 ? z <= 0.0 : depthBehind(pixelOf(along)) == 0.0);
         met.seen = behind || (bordered ? met.distance >= 0.0 : sky);
+        met.guessed = !behind && !(sky && !bordered && end == 1.0);
+    } else {
+        met.guessed = false;
     }
     return met;
+}
+
+// Metres to the nearest of the walls that the frame knows of, seen or not; negative: the beam meets none. Places are known to a
+// millionth of their distance: within ten of that the beam starts on the wall.
+float distanceToWall(vec3 origin, vec3 direction) {
+    float nearest = -1.0;
+    for (int i = 0; i < frame.counts.y; ++i) {
+        vec3 apart = frame.walls[3 * i].xyz - origin;
+        vec3 u = frame.walls[3 * i + 1].xyz;
+        vec3 v = frame.walls[3 * i + 2].xyz;
+        vec3 n = cross(u, v);
+        float height = dot(apart, n);
+        float met = height / dot(direction, n); // infinite along the wall, which misses it
+        vec3 off = met * direction - apart;
+        bool starts = height * height < 1e-10 * dot(n, n) * dot(apart, apart);
+        bool hit = !starts && met > 0.0 && abs(dot(off, u)) <= 1.0 && abs(dot(off, v)) <= 1.0;
+        if (hit && (nearest < 0.0 || met < nearest)) nearest = met;
+    }
+    return nearest;
 }
 
 // `guess`: depth to depth first; not where the ray starts from a surface that is in the depth.
@@ -211,9 +237,18 @@ Meeting meetBackdrop(vec3 origin, vec3 direction, bool guess) {
     vec4 along = frame.clipFromWorld * vec4(direction, 0.0);
     Meeting met = nowhere();
     if (!(from.w > 0.0)) return met;
-    if (guess) met.seen = guessMeeting(from, along, met.distance);
+    if (guess) met = guessMeeting(from, along);
     // A wall may be what bounds the scene: a fiftieth further.
     if (!met.seen) met = stepToMeeting(from, along, 1.02 * max(distanceOutOfScene(origin, direction), 0.0));
+    if (met.guessed) {
+        float wall = distanceToWall(origin, direction);
+        if (wall > 0.0) {
+            // What lies behind the camera has no place on the picture: the way there leaves the picture where this does.
+            met.distance = min(wall, 0.99 * from.w / max(-along.w, 1e-30));
+            met.seen = true;
+            met.wall = true;
+        }
+    }
     if (met.seen && met.distance > 0.0)
         met.foreshortening = foreshorteningAt(pixelOf(from + met.distance * along), direction);
     return met;
@@ -251,9 +286,9 @@ vec3 beamRadiance(Beam beam, Meeting meeting) {
         pixels *= sqrt(meeting.foreshortening);
         vec2 at = pixelOf(clip);
         // Off the picture the sky is known better from the environment. A surface is not: its border stands for it, ever more
-        // blurred, and fades as the picture's size tells how far a guess may reach.
+        // blurred, and fades as the picture's size tells how far a guess may reach: not where a wall is known to go on.
         vec2 outside = max(max(-at, at - frame.picture.xy), vec2(0.0)) / (OUTSIDE_FADE * frame.picture.y);
-        share = ends ? exp(-0.5 * dot(outside, outside)) : pyramidCoverage(at, frame.picture.xy, pixels);
+        share = meeting.wall ? 1.0 : ends ? exp(-0.5 * dot(outside, outside)) : pyramidCoverage(at, frame.picture.xy, pixels);
         outside *= OUTSIDE_FADE * frame.picture.y;
         if (share > 0.0) {
             float variance = pixels * pixels + dot(outside, outside);

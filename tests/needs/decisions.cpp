@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gg::test {
 namespace {
@@ -204,6 +205,30 @@ TEST(needs, back_faces_of_a_closed_solid_are_seen_only_where_the_near_plane_cuts
   EXPECT_FALSE(seen_from_within(true, 3.0f));
   EXPECT_TRUE(seen_from_within(false, 0.2f));
   EXPECT_TRUE(seen_from_within(false, 1.005f)) << "outside, but nearer than the near plane";
+}
+
+TEST(needs, walls_are_opaque_rectangles_without_holes_the_largest_first) {
+  scene::Scene scene = square(unlit(glm::vec3(1.0f)));
+  add(scene, square(unlit(glm::vec3(1.0f))),
+      glm::scale(glm::rotate(at({0, -1, 0}), 1.2f, glm::vec3(1, 0.3f, 0)), glm::vec3(2, 3, 1)));
+  add(scene, ball(metal(0.1f)), at({1.5f, 0, 0}));
+  add(scene, square(thin(glass(0.1f))), at({-1.5f, 0, 0}));
+  scene::Material holes = unlit(glm::vec3(1.0f));
+  holes.alpha_mode = scene::AlphaMode::mask;
+  add(scene, square(holes), at({0, 1.5f, 0}));
+  const Needs needs = needs::needs_of(scene, view());
+  ASSERT_EQ(needs.walls.size(), 2u);
+  EXPECT_NEAR(needs.walls[0].area, 24.0f, 1e-4f);
+  EXPECT_NEAR(needs.walls[1].area, 4.0f, 1e-5f);
+  // Its gradients count to 1 at its edges, wherever it stands.
+  const glm::mat4 placed = scene.instances[1].world;
+  const needs::Wall& wall = needs.walls[0];
+  for (const glm::vec2 edge : {glm::vec2(1, 0.5f), glm::vec2(-0.25f, 1)}) {
+    const glm::vec3 off = glm::vec3(placed * glm::vec4(edge, 0, 1)) - wall.centre;
+    EXPECT_NEAR(std::abs(glm::dot(off, wall.gradient_u)), std::abs(edge.x), 1e-5f);
+    EXPECT_NEAR(std::abs(glm::dot(off, wall.gradient_v)), std::abs(edge.y), 1e-5f);
+  }
+  EXPECT_TRUE(needs::needs_of(scene, view(Method::standard)).walls.empty());
 }
 
 TEST(needs, what_stands_before_glass_is_its_foreground_and_what_stands_behind_is_not) {

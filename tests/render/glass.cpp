@@ -247,6 +247,24 @@ TEST_P(Render, holes_of_what_stands_before_glass_are_not_cut_out) {
   EXPECT_TRUE(without.values == draw(scene, {std::nullopt, from({0, 0, 4})}).values);
 }
 
+// The floor below a mirror ball reaches beyond the picture and behind the camera: so does its reflection.
+TEST_P(Render, a_floor_goes_on_in_reflections_where_the_picture_ends) {
+  scene::Scene scene = ball(metal(0.0f));
+  add(scene, square(unlit({1, 0, 0})),
+      glm::scale(
+          glm::rotate(glm::translate(glm::mat4(1.0f), {0, -1.5f, 0}), -1.5707963f, {1, 0, 0}),
+          glm::vec3(30)));
+  const image::Image picture = draw(scene, {environment::constant({0, 0, 1}), from({0, 0, 4})});
+  const int radius = 30; // of the ball, pixels: less than it is
+  for (int below = 6; below < radius; ++below) {
+    const glm::vec3 down = color(picture, size / 2, size / 2 + below);
+    EXPECT_GT(down.x, 0.9f) << below;
+    EXPECT_LT(down.z, 0.1f) << below;
+    const glm::vec3 up = color(picture, size / 2, size / 2 - below);
+    EXPECT_LT(up.x, 0.1f) << below;
+  }
+}
+
 TEST_P(Render, glass_behind_glass_takes_a_picture_for_each_and_side_by_side_one) {
   const auto refractive_passes = [this](const glm::vec3& second) {
     scene::Scene scene = ball(glass(0.2f));
