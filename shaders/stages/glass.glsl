@@ -144,7 +144,17 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
                 }
                 p.bounced = bounce > 0;
             } else if (bounce > 0) {
-                break;
+                // Of a wall thinner than the search resolves it is the face that the light came in by.
+                float back = dot(p.ray.direction, s.n);
+                if (!(back > 0.0)) break;
+                float across = p.path * max(-dot(core.direction, s.n), 0.0) / back;
+                run += across;
+                p.last.n = s.n;
+                p.last.alpha = s.alpha;
+                p.last.turn = vec2(0.0);
+                p.lastPoint = from + across * p.ray.direction;
+                p.lastPath = run;
+                p.bounced = true;
             }
         }
         ExitView seen = seeExit(p.ray, true, p.last, k);
@@ -155,12 +165,16 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
         float lost = max(1.0 - face.reflected - face.transmitted - 0.01, 0.0);
         p.escapes = face.transmitted + lost > 0.0 ? face.transmitted / (face.transmitted + lost) : 1.0;
         p.leftSigma = reflectedSpread(p.ray.sigma, p.last, seen.cosTheta, k.shape);
-        p.leftDirection = reflect(p.ray.direction, p.last.n);
+        // What a flat face throws back leaves by another as a mirror's. Beyond the critical angle and on curved faces it wanders:
+        // of all guesses, what is behind the body is nearest to what brute force finds.
+        bool mirrored = thrownBack < 0.5 * p.ray.weight && p.last.turn == vec2(0.0);
+        vec3 reflected = reflect(p.ray.direction, p.last.n);
+        p.leftDirection = mirrored ? reflected : -s.wo;
         p.left = thrownBack;
         // Followed where most of the light is: beyond the critical angle.
         if (interiorPairs == 0 || bounce == mostBounces || thrownBack < 0.5 * p.ray.weight) break;
         p.ray.sigma = p.leftSigma;
-        p.ray.direction = p.leftDirection;
+        p.ray.direction = reflected;
         p.ray.weight = thrownBack;
         from = p.lastPoint;
     }
