@@ -62,7 +62,7 @@ struct Needs {
 };
 
 // Total reflections inside a solid that are followed.
-inline constexpr int most_bounces = 2;
+inline constexpr int most_bounces = 4;
 
 // `scene` must outlive the result.
 Needs needs_of(const scene::Scene& scene, const View& view);
