@@ -85,7 +85,9 @@ std::vector<const MapKind*> maps_of(const scene::Scene& scene, const Material& m
 } // namespace
 
 bool is_refractive(const Material& m) {
-  return m.transmission > 0.0f && !m.unlit && !m.conductor && m.metallic < 1.0f;
+  // A map can only lower the factor of metal, whose default is 1.
+  const bool all_metal = m.metallic >= 1.0f && !m.metallic_roughness_map;
+  return m.transmission > 0.0f && !m.unlit && !m.conductor && !all_metal;
 }
 
 bool is_invisible(const Material& m, const Primitive& primitive) {

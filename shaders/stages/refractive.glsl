@@ -31,7 +31,7 @@ vec4 refractiveColor(vec4 base) {
         radiance += light.diffuse;
     }
     if (indexIsOne) {
-        radiance += tint * throughNothing();
+        radiance += tint * throughNothing() + mirror.weight * farRadiance(mirror.beam.direction, mirror.beam.sigma);
     } else if (method == 0) {
         radiance += tint * throughStandard(s, ior) + mirror.weight * farRadiance(mirror.beam.direction, mirror.beam.sigma);
     } else {

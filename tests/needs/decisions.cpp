@@ -175,6 +175,23 @@ TEST(needs, a_thin_wall_with_two_sides_is_two_things) {
 }
 
 // The first layer of the inside is what is seen, unless a map or peers' way of shading asks for the mesh itself.
+// glTF's metallic factor is 1 unless a file says otherwise, and a map scales it: Khronos' TransmissionRoughnessTest is such glass.
+TEST(needs, glass_whose_map_takes_the_metal_away_is_refractive) {
+  scene::Material m = glass(0.3f);
+  m.metallic = 1.0f;
+  EXPECT_FALSE(needs::is_refractive(m));
+  m.metallic_roughness_map.texture = 0;
+  EXPECT_TRUE(needs::is_refractive(m));
+
+  const scene::Scene khronos =
+      scene::load(home_directory() / "assets/scenes/TransmissionRoughnessTest.glb");
+  const Needs needs = needs::needs_of(khronos, view());
+  EXPECT_EQ(std::ranges::count_if(
+                needs.draws.all,
+                [](const needs::Draw& draw) { return draw.role == needs::Role::refractive; }),
+            5);
+}
+
 TEST(needs, a_solid_is_drawn_by_its_pixels_where_the_mesh_has_no_more_to_say) {
   scene::Scene scene = ball(glass(0.1f));
   const Needs plain = needs::needs_of(scene, view());
