@@ -55,12 +55,15 @@ Role role_of(const scene::Material& material) {
   return material.alpha_mode == scene::AlphaMode::blend ? Role::blended : Role::opaque;
 }
 
-// Whether something opaque reaches into the box around a solid. What stands on the floor touches it:
-// a thousandth of the solid's size does not count.
-bool holds_opaque(const Draw& solid, const std::vector<Draw>& draws) {
+// Whether something that is in the depth when the solid is drawn reaches into the box around it: something opaque, or glass that
+// makes an image and lies within. What stands on the floor touches it: a thousandth of the solid's size does not count.
+bool holds_something(const Draw& solid, const std::vector<Draw>& draws) {
   const glm::vec3 least(1e-3f * solid.bounds.radius());
   return std::ranges::any_of(draws, [&](const Draw& other) {
-    return other.role == Role::opaque
+    const bool within = other.images
+                        && glm::all(glm::greaterThan(other.bounds.low, solid.bounds.low))
+                        && glm::all(glm::lessThan(other.bounds.high, solid.bounds.high));
+    return (other.role == Role::opaque || within)
            && glm::all(glm::greaterThan(other.bounds.high, solid.bounds.low + least))
            && glm::all(glm::lessThan(other.bounds.low, solid.bounds.high - least));
   });
@@ -201,14 +204,16 @@ Draws draws_of(const scene::Scene& scene, const View& view) {
     const scene::Instance& instance = *draws.instances[draw.instance_index];
     const int pairs = interior_pairs(draw, view, instance, shapes);
     set_value(draw.key, Feature::interior_pairs, pairs);
-    if (pairs > 0 && !draw.is_straight())
-      set_value(draw.key, Feature::holds_opaque, holds_opaque(draw, draws.all));
     if (!draw.is_solid() || view.method == Method::standard) continue;
-    draw.both_sides =
-        is_seen_from_within(draw, shapes.of(instance, draw.primitive->material), clip);
+    const scene::SolidShape& shape = shapes.of(instance, draw.primitive->material);
+    draw.images = !draw.is_straight() && !(shape.flat && shape.convex);
+    draw.both_sides = is_seen_from_within(draw, shape, clip);
     set_value(draw.key, Feature::seen_from_within, draw.both_sides);
     draw.by_pixel = is_by_pixel(draw);
   }
+  for (Draw& draw : draws.all)
+    if (value_of(draw.key, Feature::interior_pairs) > 0 && !draw.is_straight())
+      set_value(draw.key, Feature::holds_opaque, holds_something(draw, draws.all));
   return draws;
 }
 

@@ -46,6 +46,9 @@ struct Draw {
   // Glass whose first layer of the inside holds all that its shading takes from the mesh: drawn by the pixels that it covers
   // (stages/refractive_region.frag), not by its triangles.
   bool by_pixel = false;
+  // Glass that makes an image of its own close by, as lenses do: what looks at it from behind other glass finds its light there.
+  // What is flat and convex shows the world behind it where that is.
+  bool images = false;
 
   bool is_solid() const { return role == Role::refractive && material->thickness > 0.0f; }
   // Whether it only lets through what is behind it, unbent.

@@ -25,11 +25,13 @@ public:
     return names;
   }
 
-  // The picture so far, and with `blurs` all that lookups in it take. Depth is taken once, while it is that of opaque
-  // surfaces: rays pass other glass, and what they meet behind it shows its colour.
+  // The picture so far, and with `blurs` all that lookups in it take. Depth is that of opaque surfaces (rays pass flat glass, and
+  // what they meet behind it shows its colour) until a layer has glass in it that makes images.
   void add_backdrop(std::size_t layer, bool blurs, std::size_t foreground) {
     const bool takes_depth = !has_depth_ && needs_.target("backdrop depth");
     has_depth_ = has_depth_ || takes_depth;
+    // Of the layer that is drawn next.
+    if (layer < needs_.layers.size() && needs_.layers[layer].images()) has_depth_ = false;
     Pass backdrop{.kind = PassKind::backdrop,
                   .label = "backdrop",
                   .layer = layer,

@@ -233,7 +233,7 @@ GlassBeams throughTwoFaces(Surface s, float ior) {
 
     if (holdsOpaque) {
         Meeting inside = meetBackdrop(s.position, core.direction, true);
-        if (inside.seen && inside.distance >= 0.0 && inside.distance < p.path) {
+        if (inside.seen && !inside.hidden && inside.distance >= 0.0 && inside.distance < p.path) {
             beams.core.beam = straightBeam(s.position, core.direction, core.sigma);
             beams.core.weight = entered * absorbed(inside.distance);
             beams.rest.weight = vec3(0.0);

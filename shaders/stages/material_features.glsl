@@ -28,7 +28,7 @@ layout(constant_id = 22) const bool disperses = false;
 layout(constant_id = 23) const bool indexIsOne = false; // bends and reflects nothing
 layout(constant_id = 24) const bool attenuates = false; // absorbs along the way inside
 layout(constant_id = 41) const bool looksAround = false; // reflections show the picture: there is more than one thing
-layout(constant_id = 25) const bool holdsOpaque = false; // something opaque reaches into the box around the solid
+layout(constant_id = 25) const bool holdsOpaque = false; // something that is in the depth reaches into the box around the solid
 layout(constant_id = 27) const int lobeTaps = 1; // that the table of the reflection lobe holds
 layout(constant_id = 28) const bool seenFromWithin = false; // back faces of the solid can be what the camera sees
 layout(constant_id = 26) const int interiorPairs = 0; // of front and back faces that the inside is followed through

@@ -37,6 +37,7 @@ struct Meeting {
     float distance; // metres from the origin; negative: nowhere, it goes to the sky
     bool seen;      // the picture shows it
     float foreshortening; // area that the picture shows of a patch of the surface, over the area that the beam does
+    bool hidden;    // behind something nearer, from there on
     bool guessed;   // the picture does not show that place: its border is taken to go on
     bool wall;      // it does not, but something opaque is known to be there
 };
@@ -72,6 +73,7 @@ Meeting nowhere() {
     m.distance = -1.0;
     m.seen = false;
     m.foreshortening = 1.0;
+    m.hidden = false;
     m.guessed = true;
     m.wall = false;
     return m;
@@ -205,6 +207,7 @@ Meeting stepToMeeting(vec4 from, vec4 along, float most) {
         met.distance = behind ? most * end * wayAlong(hidden, from.w, to.w) : bordered ? distanceToDepth(from, along, z) : -1.0;
         bool sky = front && along.w > 0.0 && (end < 1.0 ? z <= 0.0 : depthBehind(pixelOf(along)) == 0.0);
         met.seen = behind || (bordered ? met.distance >= 0.0 : sky);
+        met.hidden = behind;
         met.guessed = !behind && !(sky && !bordered && end == 1.0);
     } else {
         met.guessed = false;

@@ -157,6 +157,26 @@ TEST(needs, glass_behind_glass_takes_two_layers_the_farther_one_first) {
   EXPECT_EQ(std::ranges::count(labels(needs), "refractive"), 2);
 }
 
+// A ball makes an image near itself, a plate shows what is behind it where that is.
+TEST(needs, depth_is_taken_anew_behind_what_makes_images) {
+  const auto depths_taken = [](scene::Scene scene) {
+    add(scene, box(glass(0.3f)), at({0, 0, 3}));
+    const Needs needs = needs::needs_of(scene, view());
+    EXPECT_EQ(needs.layers.size(), 2u);
+    return std::ranges::count_if(needs.passes, &needs::Pass::takes_depth);
+  };
+  EXPECT_EQ(depths_taken(ball(glass(0.1f))), 2);
+  EXPECT_EQ(depths_taken(box(glass(0.1f))), 1);
+}
+
+TEST(needs, what_lies_within_glass_is_looked_for_there) {
+  scene::Scene scene = ball(glass(0.1f));
+  add(scene, ball(glass(0.1f)), glm::scale(glm::mat4(1.0f), glm::vec3(0.4f)));
+  const Needs needs = needs::needs_of(scene, view());
+  EXPECT_NE(value_of(needs.draws.all[0].key, Feature::holds_opaque), 0);
+  EXPECT_EQ(value_of(needs.draws.all[1].key, Feature::holds_opaque), 0);
+}
+
 TEST(needs, glass_beside_glass_takes_one_layer) {
   scene::Scene scene = ball(glass(0.1f));
   scene.instances[0].world = at({-1.5f, 0, 0});
