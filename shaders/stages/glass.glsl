@@ -232,7 +232,7 @@ GlassBeams throughTwoFaces(Surface s, float ior) {
     beams.leftOver.weight = p.left * p.escapes * absorbed(2.0 * p.lastPath);
 
     if (holdsOpaque) {
-        Meeting inside = meetBackdrop(s.position, core.direction, true);
+        Meeting inside = meetBackdrop(s.position, core.direction, core.sigma, true);
         if (inside.seen && !inside.hidden && inside.distance >= 0.0 && inside.distance < p.path) {
             beams.core.beam = straightBeam(s.position, core.direction, core.sigma);
             beams.core.weight = entered * absorbed(inside.distance);
@@ -337,7 +337,7 @@ vec3 glassRadiance(GlassBeams beams, WeightedBeam mirror) {
             w = beams.leftOver;
             share = wanted.z;
         }
-        Meeting meeting = meetBackdrop(w.beam.origin, w.beam.direction, true);
+        Meeting meeting = meetBackdrop(w.beam.origin, w.beam.direction, w.beam.sigma, true);
         if (group == 0 && beams.within >= 0.0) {
             meeting.distance = beams.within;
             meeting.seen = true;

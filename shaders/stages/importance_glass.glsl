@@ -15,7 +15,7 @@ vec3 sampledGlass(Surface s, float ior, GlassBeams beams, int n) {
     vec3 wo = transpose(entry) * s.wo;
     float inside = beams.core.beam.inside;
     vec3 absorption = absorbed(inside);
-    Meeting meeting = meetBackdrop(beams.core.beam.origin, beams.core.beam.direction, true);
+    Meeting meeting = meetBackdrop(beams.core.beam.origin, beams.core.beam.direction, beams.core.beam.sigma, true);
     // Both lobes to first order, and of their joint Gaussian each sample's share: 0.35 sqrt(2 pi).
     float first = ior * interfaceWidth(wo.z, s.alpha, ior);
     float second = interfaceWidth(dot(beams.inner, leaving.n), leaving.alpha, leaving.eta);

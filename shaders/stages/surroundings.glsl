@@ -39,7 +39,7 @@ struct Meeting {
     float foreshortening; // area that the picture shows of a patch of the surface, over the area that the beam does
     bool hidden;    // behind something nearer, from there on
     bool guessed;   // the picture does not show that place: its border is taken to go on
-    bool wall;      // it does not, but something opaque is known to be there
+    float wall;     // it does not, but of the beam this share meets a wall that is known to be there; 0: there is none
 };
 
 const float OUTSIDE_FADE = 1.0; // of the picture's height
@@ -75,7 +75,7 @@ Meeting nowhere() {
     m.foreshortening = 1.0;
     m.hidden = false;
     m.guessed = true;
-    m.wall = false;
+    m.wall = 0.0;
     return m;
 }
 
@@ -215,27 +215,37 @@ Meeting stepToMeeting(vec4 from, vec4 along, float most) {
     return met;
 }
 
-// Metres to the nearest of the walls that the frame knows of, seen or not; negative: the beam meets none. Places are known to a
-// millionth of their distance: within ten of that the beam starts on the wall.
-float distanceToWall(vec3 origin, vec3 direction) {
-    float nearest = -1.0;
+// How much of a Gaussian about x falls between -1 and 1.
+float betweenEdges(float x, float sigma) {
+    float inverse = 1.0 / max(sigma, 1e-6); // as sharp as floats know a place
+    return max(normalIntegral((1.0 - x) * inverse) - normalIntegral((-1.0 - x) * inverse), 0.0);
+}
+
+// Of the walls that the frame knows of, seen or not, the one that most of the beam meets: x its share, y metres. Places are known
+// to a millionth of their distance: within ten of that the beam starts on the wall.
+vec2 meetWalls(vec3 origin, vec3 direction, float sigma) {
+    vec2 most = vec2(0.0, -1.0);
     for (int i = 0; i < frame.counts.y; ++i) {
         vec3 apart = frame.walls[3 * i].xyz - origin;
         vec3 u = frame.walls[3 * i + 1].xyz;
         vec3 v = frame.walls[3 * i + 2].xyz;
         vec3 n = cross(u, v);
         float height = dot(apart, n);
-        float met = height / dot(direction, n); // infinite along the wall, which misses it
-        vec3 off = met * direction - apart;
+        float towards = dot(direction, n);
+        float met = height / towards; // infinite along the wall, which misses it
         bool starts = height * height < 1e-10 * dot(n, n) * dot(apart, apart);
-        bool hit = !starts && met > 0.0 && abs(dot(off, u)) <= 1.0 && abs(dot(off, v)) <= 1.0;
-        if (hit && (nearest < 0.0 || met < nearest)) nearest = met;
+        if (starts || !(met > 0.0 && met < 1e30)) continue;
+        vec3 off = met * direction - apart;
+        // The spot's mean width on the wall: 1 / cosine longer along the beam.
+        float width = met * sigma * inversesqrt(max(abs(towards) * inversesqrt(dot(n, n)), 1e-6));
+        float share = betweenEdges(dot(off, u), width * length(u)) * betweenEdges(dot(off, v), width * length(v));
+        if (share > most.x) most = vec2(share, met);
     }
-    return nearest;
+    return most;
 }
 
-// `guess`: depth to depth first; not where the ray starts from a surface that is in the depth.
-Meeting meetBackdrop(vec3 origin, vec3 direction, bool guess) {
+// sigma: the beam's, radians. `guess`: depth to depth first; not where the ray starts from a surface that is in the depth.
+Meeting meetBackdrop(vec3 origin, vec3 direction, float sigma, bool guess) {
     vec4 from = frame.clipFromWorld * vec4(origin, 1.0);
     vec4 along = frame.clipFromWorld * vec4(direction, 0.0);
     Meeting met = nowhere();
@@ -244,12 +254,13 @@ Meeting meetBackdrop(vec3 origin, vec3 direction, bool guess) {
     // A wall may be what bounds the scene: a fiftieth further.
     if (!met.seen) met = stepToMeeting(from, along, 1.02 * max(distanceOutOfScene(origin, direction), 0.0));
     if (met.guessed) {
-        float wall = distanceToWall(origin, direction);
-        if (wall > 0.0) {
+        vec2 wall = meetWalls(origin, direction, sigma);
+        if (wall.x > 0.004) { // a step of 8 bits
+
             // What lies behind the camera has no place on the picture: the way there leaves the picture where this does.
-            met.distance = min(wall, 0.99 * from.w / max(-along.w, 1e-30));
+            met.distance = min(wall.y, 0.99 * from.w / max(-along.w, 1e-30));
             met.seen = true;
-            met.wall = true;
+            met.wall = wall.x;
         }
     }
     if (met.seen && met.distance > 0.0)
@@ -291,7 +302,8 @@ vec3 beamRadiance(Beam beam, Meeting meeting) {
         // Off the picture the sky is known better from the environment. A surface is not: its border stands for it, ever more
         // blurred, and fades as the picture's size tells how far a guess may reach: not where a wall is known to go on.
         vec2 outside = max(max(-at, at - frame.picture.xy), vec2(0.0)) / (OUTSIDE_FADE * frame.picture.y);
-        share = meeting.wall ? 1.0 : ends ? exp(-0.5 * dot(outside, outside)) : pyramidCoverage(at, frame.picture.xy, pixels);
+        share = ends ? exp(-0.5 * dot(outside, outside)) : pyramidCoverage(at, frame.picture.xy, pixels);
+        if (meeting.wall > 0.0) share = meeting.wall;
         outside *= OUTSIDE_FADE * frame.picture.y;
         if (share > 0.0) {
             float variance = pixels * pixels + dot(outside, outside);
