@@ -124,16 +124,24 @@ private:
         colour, dashes);
     add(R"(<text x="{}" y="{:.1f}" text-anchor="end" fill="{}">{}</text>)", width - right - 2,
         y - 4, colour, label);
+    const double length = letter * static_cast<double>(std::string_view(label).size()) + 4;
+    taken_.push_back({width - right - length, y - line - 2, width - right, y + 1});
   }
 
   // What the front reaches: with more time never a larger error.
   void front() {
     if (section_.front.empty()) return;
     std::string path;
-    for (const std::size_t i : section_.front) {
-      const auto [x, y] = at(i);
+    double before = top;
+    for (std::size_t k = 0; k < section_.front.size(); ++k) {
+      const auto [x, y] = at(section_.front[k]);
       path += path.empty() ? fmt::format("M{:.1f} {:.1f}V{:.1f}", x, top, y)
                            : fmt::format("H{:.1f}V{:.1f}", x, y);
+      const double until =
+          k + 1 < section_.front.size() ? at(section_.front[k + 1]).x : width - right;
+      taken_.push_back({x - 1, before, x + 1, y});
+      taken_.push_back({x, y - 1, until, y + 1});
+      before = y;
     }
     add(R"(<path class="front" d="{}H{}" fill="none" stroke="#222" stroke-width="1.5" stroke-opacity="0.55"/>)",
         path, width - right);
@@ -166,7 +174,8 @@ private:
           colour);
   }
 
-  // One label for a method, beside its first point: where nothing is yet, of eight places.
+  // One label for a method, as near to its first point as there is room, with a line to the point
+  // where others lie between.
   void labels() {
     std::vector<std::string> done;
     for (std::size_t i = 0; i < section_.cells.size(); ++i) {
@@ -175,20 +184,31 @@ private:
       done.push_back(name);
       const double w = letter * static_cast<double>(name.size()) + 2;
       const auto [x, y] = at(i);
-      const std::array<Box, 8> places = {
-          {box(x + 8, y - line / 2, w), box(x - 8 - w, y - line / 2, w),
-           box(x - w / 2, y - 8 - line, w), box(x - w / 2, y + 8, w), box(x + 6, y - 6 - line, w),
-           box(x + 6, y + 6, w), box(x - 6 - w, y - 6 - line, w), box(x - 6 - w, y + 6, w)}};
-      const auto free = std::ranges::find_if(places, [&](const Box& place) {
-        return place.x0 > left && place.x1 < width && place.y0 > top - line
-               && place.y1 < height - bottom
-               && std::ranges::none_of(taken_, [&](const Box& b) { return b.meets(place); });
-      });
-      const Box place = free != places.end() ? *free : places.front();
+      const auto [place, far] = place_for(x, y, w);
       taken_.push_back(place);
+      if (far)
+        add(R"(<path d="M{:.1f} {:.1f}L{:.1f} {:.1f}" stroke="{}" stroke-opacity="0.6"/>)", x, y,
+            std::clamp(x, place.x0, place.x1), y < place.y0 ? place.y0 : place.y1, colour_of(name));
       add(R"(<text x="{:.1f}" y="{:.1f}" fill="{}" font-weight="bold">{}</text>)", place.x0,
           place.y1 - 3, colour_of(name), escaped(name));
     }
+  }
+
+  // Beside the point, above or below it, then line by line further away.
+  std::pair<Box, bool> place_for(double x, double y, double w) const {
+    const auto free = [&](const Box& place) {
+      return place.x0 > left && place.x1 < width && place.y0 > top - line
+             && place.y1 < height - bottom
+             && std::ranges::none_of(taken_, [&](const Box& b) { return b.meets(place); });
+    };
+    const double aside[] = {x + 8, x - 8 - w, x - w / 2};
+    for (const double x0 : {aside[0], aside[1]})
+      if (const Box place = box(x0, y - line / 2, w); free(place)) return {place, false};
+    for (int away = 0; away * line < height; ++away)
+      for (const double x0 : {aside[2], aside[0], aside[1]})
+        for (const double y0 : {y - 8 - (away + 1) * line, y + 8 + away * line})
+          if (const Box place = box(x0, y0, w); free(place)) return {place, away > 0};
+    return {box(x + 8, y - line / 2, w), false}; // a plot full of labels
   }
 
   static Box box(double x, double y, double w) { return {x, y, x + w, y + line}; }

@@ -4,21 +4,23 @@
     tests/report/browser.py REPORT.html [--screenshots DIR]
 
 At the widths of a phone (375 px) and of a desktop (1280 px): every picture loads, the slider and the pointer move the
-line, every method and its FLIP map can be shown, alone, and nothing is wider than the window. Needs Debian's chromium
-package; run by hand, after a change to assets/report or app/report/page.cpp.
+line, every method and its FLIP map can be shown, alone, nothing is wider than the window, and no two texts of a plot
+cover each other. Needs Debian's chromium package; run by hand, after a change to assets/report, app/report/page.cpp or
+app/report/plot.cpp.
 """
 
 import argparse
+import base64
+import fcntl
 import json
+import os
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
 
 CHECK = """
-<script>
-addEventListener("load", async () => {
+(async () => {
   const wrong = [], need = (ok, what) => { if (!ok) wrong.push(what); };
   const images = [...document.images];
   await Promise.all(images.map((image) => image.decode().catch(() => need(false, "does not load: " + image.alt))));
@@ -38,8 +40,8 @@ addEventListener("load", async () => {
     } catch {}
     need(Math.abs(slider.value - 75) < 0.5, `the pointer at 75 leaves the slider at ${slider.value}`);
     need(Math.abs(stack.querySelector("img").getBoundingClientRect().width - box.width) < 1, "a picture is not as wide as its box");
-    for (const method of figure.querySelectorAll("[data-method][type=radio]"))
-      for (const kind of figure.querySelectorAll("[data-kind][type=radio]")) {
+    for (const kind of figure.querySelectorAll("[data-kind][type=radio]"))
+      for (const method of figure.querySelectorAll("[data-method][type=radio]")) {
         method.click();
         kind.click();
         const now = shown();
@@ -53,53 +55,109 @@ addEventListener("load", async () => {
        `is ${document.documentElement.scrollWidth} px wide in a window of ${innerWidth}`);
   for (const element of document.querySelectorAll("body *:not(.scroll *):not(pre *):not(svg *)"))
     need(element.getBoundingClientRect().right <= innerWidth + 0.5, `${element.tagName}.${element.className} sticks out`);
-  const result = { width: innerWidth, images: images.length, figures: document.querySelectorAll(".compare").length, wrong };
-  document.documentElement.innerHTML = "<body><pre id=result></pre></body>";
-  document.getElementById("result").textContent = JSON.stringify(result);
-});
-</script>
+  for (const plot of document.querySelectorAll("svg")) {
+    const frame = plot.getBoundingClientRect();
+    const texts = [...plot.querySelectorAll("text")].map((t) => [t.textContent, t.getBoundingClientRect()]);
+    texts.forEach(([a, p], i) => {
+      need(p.left >= frame.left && p.right <= frame.right && p.top >= frame.top && p.bottom <= frame.bottom,
+           `"${a}" sticks out of its plot`);
+      // A box holds the font's whole height, of which letters leave a fifth empty above and below.
+      for (const [b, q] of texts.slice(i + 1)) {
+        const spare = 0.2 * (p.height + q.height);
+        need(p.right <= q.left || q.right <= p.left || p.bottom - spare <= q.top || q.bottom - spare <= p.top,
+             `"${a}" covers "${b}" in a plot`);
+      }
+    });
+  }
+  return { width: innerWidth, height: document.documentElement.scrollHeight, images: images.length,
+           figures: document.querySelectorAll(".compare").length, wrong };
+})()
 """
 
 
-def chromium(width, height, *arguments):
-    command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", f"--window-size={width},{height}",
-               "--virtual-time-budget=600000", *arguments]
-    return subprocess.run(command, capture_output=True, text=True, timeout=180, check=True).stdout
+class Chromium:
+    """A page of a browser of its own, driven by the DevTools protocol over a pipe (its descriptors 3 and 4)."""
+
+    def __init__(self, profile):
+        to_browser, self.commands = os.pipe()
+        self.answers, from_browser = os.pipe()
+        # Out of the way of 3 and 4 before they become those.
+        ours = [fcntl.fcntl(fd, fcntl.F_DUPFD, 10) for fd in (to_browser, from_browser)]
+        self.process = subprocess.Popen(
+            ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--remote-debugging-pipe",
+             f"--user-data-dir={profile}"],
+            preexec_fn=lambda: (os.dup2(ours[0], 3), os.dup2(ours[1], 4)), close_fds=False, stderr=subprocess.DEVNULL)
+        for fd in (to_browser, from_browser, *ours):
+            os.close(fd)
+        self.buffer, self.count, self.session = b"", 0, None
+        page = self.call("Target.createTarget", url="about:blank")["targetId"]
+        self.session = self.call("Target.attachToTarget", targetId=page, flatten=True)["sessionId"]
+        self.call("Page.enable")
+
+    def message(self):
+        while b"\0" not in self.buffer:
+            read = os.read(self.answers, 1 << 20)
+            if not read:
+                sys.exit("Chromium ended")
+            self.buffer += read
+        text, self.buffer = self.buffer.split(b"\0", 1)
+        return json.loads(text)
+
+    def call(self, method, **parameters):
+        self.count += 1
+        command = {"id": self.count, "method": method, "params": parameters}
+        if self.session:
+            command["sessionId"] = self.session
+        os.write(self.commands, json.dumps(command).encode() + b"\0")
+        while (answer := self.message()).get("id") != self.count:
+            pass
+        if "error" in answer:
+            sys.exit(f"{method}: {answer['error']['message']}")
+        return answer["result"]
+
+    def open(self, address, width):
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+        self.call("Page.navigate", url=address)
+        while self.message().get("method") != "Page.loadEventFired":
+            pass
+
+    def evaluate(self, script):
+        result = self.call("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)
+        if "exceptionDetails" in result:
+            sys.exit(result["exceptionDetails"]["exception"]["description"])
+        return result["result"]["value"]
+
+    def picture(self, width, top, height):
+        clip = {"x": 0, "y": top, "width": width, "height": height, "scale": 1}
+        data = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=True, clip=clip)["data"]
+        return base64.b64decode(data)
+
+    def close(self):
+        self.call("Browser.close")
+        self.process.wait()
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("report", type=pathlib.Path)
-    parser.add_argument("--screenshots", type=pathlib.Path)
+    parser.add_argument("--screenshots", type=pathlib.Path, help="the whole page at both widths, in pieces of 2000 px")
     options = parser.parse_args()
-    page = options.report.read_text()
     failed = False
     with tempfile.TemporaryDirectory() as folder:
-        checked = pathlib.Path(folder) / "checked.html"
-        checked.write_text(page.replace("</body>", CHECK + "</body>"))
+        browser = Chromium(folder)
         for width in (375, 1280):
-            # A window has a least width of its own; a frame inside it has none.
-            frame = pathlib.Path(folder) / f"frame-{width}.html"
-            frame.write_text(f'<body style="margin:0"><iframe src="checked.html" style="border:0;width:{width}px;height:900px">'
-                             "</iframe><script>setInterval(() => { const d = document.querySelector('iframe').contentDocument;"
-                             "const r = d && d.getElementById('result'); if (r) document.body.textContent = r.textContent; }, 1000)</script>")
-            dom = chromium(1400, 900, "--allow-file-access-from-files", "--dump-dom", frame.as_uri())
-            found = re.search(r"<body[^>]*>(\{.*\})", dom, re.S)
-            if not found:
-                sys.exit(f"{width} px: the page did not finish")
-            text = found[1].split("</body>")[0].replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")
-            result = json.loads(text)
+            browser.open(options.report.resolve().as_uri(), width)
+            result = browser.evaluate(CHECK)
             print(f"{width} px: {result['figures']} comparisons, {result['images']} pictures, {len(result['wrong'])} complaints")
             for complaint in result["wrong"]:
                 print("  " + complaint)
             failed = failed or bool(result["wrong"]) or result["width"] != width
             if options.screenshots:
                 options.screenshots.mkdir(parents=True, exist_ok=True)
-                shown = pathlib.Path(folder) / f"shown-{width}.html"
-                shown.write_text(f'<body style="margin:0"><iframe src="{options.report.resolve().as_uri()}" '
-                                 f'style="border:0;width:{width}px;height:2400px"></iframe>')
-                chromium(width if width > 500 else 500, 2400, "--allow-file-access-from-files",
-                         f"--screenshot={options.screenshots / f'report-{width}.png'}", shown.as_uri())
+                for top in range(0, result["height"], 2000):
+                    picture = browser.picture(width, top, min(2000, result["height"] - top))
+                    (options.screenshots / f"report-{width}-{top // 2000}.png").write_bytes(picture)
+        browser.close()
     sys.exit(1 if failed else 0)
 
 

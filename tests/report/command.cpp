@@ -67,6 +67,8 @@ TEST(report_command, writes_a_page_numbers_and_plots_and_a_second_run_does_nothi
     EXPECT_GT(cell.at("ms").at("median"), 0.0);
     EXPECT_EQ(cell.at("ms").at("frames"), 5);
     EXPECT_GT(cell.at("bytes"), 64 * 64 * 16);
+    EXPECT_EQ(cell.at("lookups").at("reflected"), 1);
+    EXPECT_EQ(cell.at("lookups").at("refracted"), 0); // a metal
     EXPECT_GT(cell.at("errors").at("objects").at("pixels"), 500);
     EXPECT_GT(cell.at("errors").at("objects").at("relmse"), 0.0);
     EXPECT_FALSE(cell.at("passes").empty());

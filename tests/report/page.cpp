@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <regex>
 #include <sstream>
 
 namespace gg::report {
@@ -116,6 +118,39 @@ TEST(plot, ticks_are_round_few_and_inside) {
     for (const double t : ticks)
       EXPECT_TRUE(t >= low && t <= high) << t;
   }
+}
+
+TEST(page, says_how_many_lookups_of_each_kind_a_method_makes) {
+  EXPECT_EQ(count(page(report()), "<td>1 + 2 + 3 + 4</td>"), 3u);
+  Report metal = report();
+  for (Cell& cell : metal.sections[0].cells)
+    cell.lookups = {.reflected = 5};
+  EXPECT_EQ(count(page(metal), "<td>5</td>"), 3u);
+}
+
+// Where the methods' points fall together, as those of many taps do, their labels do not.
+TEST(plot, labels_find_room_for_themselves) {
+  Report crowded = report();
+  auto& cells = crowded.sections[0].cells;
+  cells.clear();
+  for (const char* name : {"standard", "lobes1", "lobes2", "lobes3", "lobes4", "fis16", "fis32"})
+    cells.push_back(cell(name, "opengl", 4.0 + 0.001 * static_cast<double>(cells.size()), 0.01));
+  crowded.sections[0].front = {0};
+  const std::string svg = plot(crowded.sections[0], crowded.limit);
+  struct Label {
+    double x, y;
+  };
+  std::vector<Label> labels;
+  const std::regex text(
+      R"re(<text x="([0-9.]+)" y="([0-9.]+)" fill="[^"]+" font-weight="bold">)re");
+  for (std::sregex_iterator i(svg.begin(), svg.end(), text), end; i != end; ++i)
+    labels.push_back({std::stod((*i)[1]), std::stod((*i)[2])});
+  ASSERT_EQ(labels.size(), cells.size());
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_TRUE(std::abs(labels[i].y - labels[k].y) > 12.0
+                  || std::abs(labels[i].x - labels[k].x) > 36.0) // of type of 12 px, six letters
+          << cells[i].method << " over " << cells[k].method;
 }
 
 TEST(exports, csv_has_as_many_fields_in_every_line_as_names) {
