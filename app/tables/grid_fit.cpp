@@ -8,8 +8,8 @@ namespace gg::tables {
 namespace {
 
 // After these the taps of neighbours are where they will stay.
-constexpr int sweeps = 2;
-constexpr int scratch_iterations = 14, sweep_iterations = 10;
+constexpr int sweeps = 3;
+constexpr int scratch_iterations = 24, sweep_iterations = 10;
 
 TapSet to_table(const TapSet& set, const GridCell& cell) {
   TapSet result = set;
@@ -87,7 +87,8 @@ std::vector<TapSet> fit_grid(const FitViews& views, const Grid& grid, int taps, 
       const TapSet home = from_table(mean, cell);
       FitResult best = fit(views, cell.target, from_table(fitted[grid.index(x, y, z)], cell),
                            sweep_iterations, home);
-      if (sweep == 0) {
+      // Three and more taps have minima that are as good and far apart: it takes longer to agree on one.
+      if (sweep == 0 || (taps > 2 && sweep + 1 < sweeps)) {
         FitResult theirs = fit(views, cell.target, home, sweep_iterations, home);
         if (theirs.cost < best.cost) best = std::move(theirs);
       }

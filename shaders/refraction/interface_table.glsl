@@ -35,21 +35,26 @@ struct InterfaceTap {
   float weight; // of K taps they sum to 1; tap 0 is the core, the narrowest
 };
 
-// Leaving, everything changes at the critical angle, like the square root of what lies beyond: that is where half of the
-// axis ends. Entering, grazing angles need the detail.
+// Square roots crowd the nodes where lobes change within a facet's lean: along the surface, and leaving on either side of the
+// critical angle, where half of the axis ends and past which another half goes back to the surface.
 float interfaceCosineAxis(float cosTheta, float eta) {
   float c = clamp(cosTheta, 0.0, 1.0);
   if (eta >= 1.0) return sqrt(c);
   float critical = sqrt((1.0 - eta) * (1.0 + eta));
-  return c < critical ? 0.5 * c / critical : 0.5 + 0.5 * sqrt((c - critical) / (1.0 - critical));
+  bool past = c < critical;
+  float along = past ? c / critical : (c - critical) / (1.0 - critical);
+  bool grazing = past && along < 0.5;
+  float x = sqrt(past ? 0.125 * (grazing ? along : 1.0 - along) : 0.25 * along);
+  return grazing ? x : past ? 0.5 - x : 0.5 + x;
 }
 
 // Its inverse: the cosine at x in [0, 1].
 float interfaceCosineAt(float x, float eta) {
   if (eta >= 1.0) return x * x;
   float critical = sqrt((1.0 - eta) * (1.0 + eta));
-  float above = 2.0 * x - 1.0;
-  return above < 0.0 ? 2.0 * x * critical : critical + above * above * (1.0 - critical);
+  float away = x - 0.5;
+  if (away >= 0.0) return critical + 4.0 * away * away * (1.0 - critical);
+  return critical * (x < 0.25 ? 8.0 * x * x : 1.0 - 8.0 * away * away);
 }
 
 // (n - 1) / (n + 1), n the larger index over the smaller, as a share of its value at the greatest.
