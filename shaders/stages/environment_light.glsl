@@ -27,7 +27,7 @@ vec3 multiplyScattered(Surface s, float albedo, vec3 meanFresnel) {
 vec3 reflectedRadiance(Surface s, vec3 direction, float sigma) {
     if (!looksAround) return farRadiance(direction, sigma);
     // The surface itself stands in the depth that is searched: begin two of its pixels off it.
-    float pixel = (frame.eye.w > 0.0 ? length(s.position - frame.eye.xyz) : 1.0) / frame.picture.z;
+    float pixel = (ofPixel(frame.eye.w) > 0.0 ? length(s.position - frame.eye.xyz) : 1.0) / frame.picture.z;
     Beam beam = straightBeam(s.position + 2.0 * pixel * (s.n + direction), direction, sigma);
     return beamRadiance(beam, meetBackdrop(beam.origin, direction, sigma, false));
 }

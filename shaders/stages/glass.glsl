@@ -308,7 +308,7 @@ vec3 lightsAlong(Beam beam) {
     vec3 sum = vec3(0.0);
     float variance = beam.sigma * beam.sigma;
     if (!(variance > 0.0)) return sum;
-    for (int i = 0; i < frame.counts.x; ++i) {
+    for (int i = 0; i < ofPixel(frame.counts.x); ++i) {
         Arrival a = arrivalFrom(lights[i], beam.origin);
         vec3 apart = a.wi - beam.direction; // chords: within 4 % of the angle up to a radian
         sum += a.irradiance * exp(-0.5 * dot(apart, apart) / variance);

@@ -1,5 +1,6 @@
 // punctual_lights.glsl: light that arrives from points and directions (KHR_lights_punctual).
 // Needs    stages/reflectance.glsl, interface/lights.glsl.
+#include "stages/of_pixel.glsl"
 
 struct Arrival {
     vec3 wi;         // unit, to the light
@@ -34,7 +35,7 @@ Arrival arrivalFrom(LightData light, vec3 position) {
 
 vec3 punctualLight(Surface s) {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < frame.counts.x; ++i) {
+    for (int i = 0; i < ofPixel(frame.counts.x); ++i) {
         Arrival a = arrivalFrom(lights[i], s.position);
         sum += a.irradiance * materialFCos(s, a.wi);
     }

@@ -2,6 +2,7 @@
 // Frame    world, metres; directions unit and away from the surface.
 // Needs    the inputs of opaque.vert, interface/frame.glsl, interface/material.glsl, stages/material_features.glsl.
 // Source   glTF 2.0 §3.9 and the extensions named at each line.
+#include "stages/of_pixel.glsl"
 
 layout(binding = 8) uniform sampler2D baseColorMap;
 layout(binding = 9) uniform sampler2D metallicRoughnessMap;
@@ -67,7 +68,7 @@ Surface readSurface(vec4 base) {
     Surface s;
     s.position = inPosition;
     s.baseColor = base.xyz;
-    s.wo = frame.eye.w > 0.0 ? normalize(frame.eye.xyz - inPosition) : -frame.viewDirection.xyz;
+    s.wo = ofPixel(frame.eye.w) > 0.0 ? normalize(frame.eye.xyz - inPosition) : -frame.viewDirection.xyz;
     s.n = faceViewer(surfaceNormal(gl_FrontFacing), s.wo);
 
     float roughness = material.surface.y;

@@ -5,6 +5,7 @@
 // Source   DESIGN.md §2 (5). A surface that a beam meets is looked for in the depth behind the layer: first from depth to
 //          depth (each read is taken for a plane across the view, whose meeting with the beam has a closed form), which finds
 //          walls and floors in two or three reads; where that does not settle, in steps that are even on the screen.
+#include "stages/of_pixel.glsl"
 #include "refraction/screen_pyramid_fetch.glsl"
 
 layout(binding = 24) uniform sampler2D screenPyramid;
@@ -101,7 +102,7 @@ float foreshorteningAt(vec2 at, vec3 direction) {
     vec4 plane = vec4(perClip, -1.0, z - dot(perClip, clip)); // dot(plane, clip coordinates) = 0
     vec3 n = (plane * frame.clipFromWorld).xyz;
     vec4 p = frame.worldFromClip * vec4(clip, z, 1.0);
-    vec3 view = frame.eye.w > 0.0 ? normalize(p.xyz / p.w - frame.eye.xyz) : frame.viewDirection.xyz;
+    vec3 view = ofPixel(frame.eye.w) > 0.0 ? normalize(p.xyz / p.w - frame.eye.xyz) : frame.viewDirection.xyz;
     // At a grazing beam the spot on the surface grows without end; past a factor of 16 it is the sky's business.
     float seen = abs(dot(n, view));
     float met = abs(dot(n, direction));
@@ -225,7 +226,7 @@ float betweenEdges(float x, float sigma) {
 // to a millionth of their distance: within ten of that the beam starts on the wall.
 vec2 meetWalls(vec3 origin, vec3 direction, float sigma) {
     vec2 most = vec2(0.0, -1.0);
-    for (int i = 0; i < frame.counts.y; ++i) {
+    for (int i = 0; i < ofPixel(frame.counts.y); ++i) {
         vec3 apart = frame.walls[3 * i].xyz - origin;
         vec3 u = frame.walls[3 * i + 1].xyz;
         vec3 v = frame.walls[3 * i + 2].xyz;
@@ -291,7 +292,7 @@ vec3 beamRadiance(Beam beam, Meeting meeting) {
         float range = length(fromEye);
         float metres = ends ? sqrt(beamVariance(beam.sigma, beam.carried, beam.inner, beam.inside, meeting.distance)) : 0.0;
         float pixels; // sigma
-        if (frame.eye.w > 0.0) {
+        if (ofPixel(frame.eye.w) > 0.0) {
             pixels = (ends ? metres / range : beam.sigma) * pixelsPerRadian(frame.picture.z, min(clip.w / range, 1.0));
         } else {
             // An orthographic camera sees one direction of the sky only: the rest is the environment's business.
