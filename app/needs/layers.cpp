@@ -67,10 +67,6 @@ bool ScreenBox::overlaps(const ScreenBox& other) const {
          && other.low.y < high.y;
 }
 
-bool Layer::images() const {
-  return std::ranges::any_of(solids, [](const Draw* draw) { return draw->images; });
-}
-
 ScreenBox screen_box(const scene::Bounds& bounds, const glm::dmat4& clip_from_world) {
   ScreenBox box{glm::dvec2(1.0), glm::dvec2(-1.0), 0.0, 1.0};
   for (unsigned corner = 0; corner < 8; ++corner) {

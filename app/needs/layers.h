@@ -43,9 +43,8 @@ struct Layer {
   int interior_pairs = 0; // the most that one of them wants
   bool shows_behind() const {
     return !refractive.empty() || !regions.empty();
-  }                    // what is behind it, as a picture
-  bool images() const; // whether glass of it makes images (Draw)
-  bool blurs = false;  // and shifts it: needs that picture's pyramid and depth
+  }                   // what is behind it, as a picture
+  bool blurs = false; // and shifts it: needs that picture's pyramid and depth
 };
 
 // Refractive and blended draws by layer, the farthest first. The parts of a solid (one instance, one

@@ -2,6 +2,8 @@
 
 #include "needs/needs.h"
 
+#include <algorithm>
+
 namespace gg::needs {
 namespace {
 
@@ -28,10 +30,8 @@ public:
   // The picture so far, and with `blurs` all that lookups in it take. Depth is that of opaque surfaces (rays pass flat glass, and
   // what they meet behind it shows its colour) until a layer has glass in it that makes images.
   void add_backdrop(std::size_t layer, bool blurs, std::size_t foreground) {
-    const bool takes_depth = !has_depth_ && needs_.target("backdrop depth");
+    const bool takes_depth = needs_.target("backdrop depth") && (!has_depth_ || sees_images(layer));
     has_depth_ = has_depth_ || takes_depth;
-    // Of the layer that is drawn next.
-    if (layer < needs_.layers.size() && needs_.layers[layer].images()) has_depth_ = false;
     Pass backdrop{.kind = PassKind::backdrop,
                   .label = "backdrop",
                   .layer = layer,
@@ -92,6 +92,29 @@ public:
   }
 
 private:
+  // Whether glass that makes images is drawn before the layer, and none of it touches what is in the layer: of two bodies in
+  // contact the one is no picture that the other sees.
+  bool sees_images(std::size_t layer) const {
+    bool any = false;
+    for (std::size_t before = 0; before < std::min(layer, needs_.layers.size()); ++before)
+      for (const Draw* image : needs_.layers[before].solids) {
+        if (!image->images) continue;
+        any = true;
+        for (const Draw* solid : needs_.layers[layer].solids)
+          if (touches(image->bounds, solid->bounds)) return false;
+      }
+    return any;
+  }
+
+  // They overlap, and the first does not lie within the second.
+  static bool touches(const scene::Bounds& a, const scene::Bounds& b) {
+    const bool overlap =
+        glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
+    const bool within =
+        glm::all(glm::greaterThan(a.low, b.low)) && glm::all(glm::lessThan(a.high, b.high));
+    return overlap && !within;
+  }
+
   const Needs& needs_;
   bool has_depth_ = false;
 };

@@ -165,9 +165,9 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
         float lost = max(1.0 - face.reflected - face.transmitted - 0.01, 0.0);
         p.escapes = face.transmitted + lost > 0.0 ? face.transmitted / (face.transmitted + lost) : 1.0;
         p.leftSigma = reflectedSpread(p.ray.sigma, p.last, seen.cosTheta, k.shape);
-        // What a flat face throws back leaves by another as a mirror's. Beyond the critical angle and on curved faces it wanders:
-        // of all guesses, what is behind the body is nearest to what brute force finds.
-        bool mirrored = thrownBack < 0.5 * p.ray.weight && p.last.turn == vec2(0.0);
+        // What the far side of a plate throws back leaves by the near one as a mirror's. Beyond the critical angle, on curved faces
+        // and in bodies that are not convex it wanders: of all guesses, what is behind the body is nearest to brute force.
+        bool mirrored = interiorPairs < 2 && thrownBack < 0.5 * p.ray.weight && p.last.turn == vec2(0.0);
         vec3 reflected = reflect(p.ray.direction, p.last.n);
         p.leftDirection = mirrored ? reflected : -s.wo;
         p.left = thrownBack;

@@ -167,6 +167,9 @@ TEST(needs, depth_is_taken_anew_behind_what_makes_images) {
   };
   EXPECT_EQ(depths_taken(ball(glass(0.1f))), 2);
   EXPECT_EQ(depths_taken(box(glass(0.1f))), 1);
+  scene::Scene in_contact = ball(glass(0.1f));
+  in_contact.instances[0].world = at({0, 0, 1.5f}); // half of it in the box
+  EXPECT_EQ(depths_taken(in_contact), 1);
 }
 
 TEST(needs, what_lies_within_glass_is_looked_for_there) {
