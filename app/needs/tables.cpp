@@ -60,9 +60,7 @@ tables::Model model_of(const scene::Material& material, bool correlated_smith) {
 }
 
 int reflection_taps(Method method, const tables::Model& model) {
-  // Tables of three and four taps are stored for the model of record; others make do with two.
-  const bool of_record = same(model, tables::models.front());
-  return std::clamp(taps_of(method), 1, of_record ? 4 : 2);
+  return std::clamp(taps_of(method), 1, tables::taps_of(model)); // Phong has two
 }
 
 int interface_taps(Method method) {

@@ -29,9 +29,9 @@ inline constexpr std::array<Model, 4> models = {{{Distribution::ggx, Smith::sepa
 std::string name(const Model& model); // "ggx-separable"
 
 // Up to how many taps there are tables for. Two interfaces compose from two taps each, and more gain nothing there
-// (tests/composition); the model of record has four, to show what they are worth.
+// (tests/composition); reflection reads as many as there are. Phong is kept for comparisons.
 inline int taps_of(const Model& model) {
-  return model.distribution == Distribution::ggx && model.smith == Smith::separable ? 4 : 2;
+  return model.distribution == Distribution::phong ? 2 : 4;
 }
 
 // One direction of the lobe. Local frame: n = +z, wo = (sin, 0, cos), so the mirror direction has x < 0.
