@@ -100,6 +100,7 @@ void Renderer::make_frame_blocks() {
                  backdrop_ ? backdrop_->last_level() : 0};
     f.boundsLow = glm::vec4(needs_.bounds.low, 0.0f);
     f.boundsHigh = glm::vec4(needs_.bounds.high, 0.0f);
+    f.part = glm::vec4(glm::vec3(uniforms::beam_part(i, desc_.samples)), 0.0f);
     f.counts = {static_cast<int>(needs_.scene->lights.size()),
                 static_cast<int>(needs_.walls.size()), 0, 0};
     for (std::size_t w = 0; w < needs_.walls.size(); ++w) {

@@ -2,10 +2,53 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <numbers>
+#include <vector>
 
 namespace gg::uniforms {
+namespace {
+
+// The digits of i mirrored at the point: in [0, 1).
+double radical_inverse(int i, int base) {
+  double inverse = 0.0;
+  for (double place = 1.0 / base; i > 0; i /= base, place /= base)
+    inverse += place * (i % base);
+  return inverse;
+}
+
+// The parts of a Gaussian that share its area: its own radii at even steps of its integral, each
+// turned from the one before by the golden angle (Vogel's spiral), so that no direction is favoured.
+std::vector<glm::dvec2> spiral(int count) {
+  std::vector<glm::dvec2> points;
+  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
+  for (int i = 0; i < count; ++i) {
+    const double radius = std::sqrt(-2.0 * std::log1p(-(i + 0.5) / count));
+    points.push_back(radius * glm::dvec2(std::cos(golden * i), std::sin(golden * i)));
+  }
+  return points;
+}
+
+// Moved, stretched and sheared by as little as gives them the mean 0 and the covariance `variance`
+// times the identity (Cholesky).
+void whiten(std::vector<glm::dvec2>& points, double variance) {
+  glm::dvec2 mean(0.0);
+  for (const glm::dvec2& p : points)
+    mean += p / static_cast<double>(points.size());
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  for (glm::dvec2& p : points) {
+    p -= mean;
+    xx += p.x * p.x / static_cast<double>(points.size());
+    xy += p.x * p.y / static_cast<double>(points.size());
+    yy += p.y * p.y / static_cast<double>(points.size());
+  }
+  const double lean = xy / xx, height = std::sqrt(yy - xy * lean);
+  for (glm::dvec2& p : points)
+    p = std::sqrt(variance) * glm::dvec2(p.x / std::sqrt(xx), (p.y - lean * p.x) / height);
+}
+
+} // namespace
 
 glm::dmat4 clip_from_view(const scene::Camera& camera, double aspect) {
   glm::dmat4 m(0.0);
@@ -42,13 +85,26 @@ glm::dmat4 offset_by_pixels(double x, double y, int width, int height) {
 
 glm::dvec2 sample_position(int i, int count) {
   if (count <= 1) return {0.0, 0.0};
-  std::uint32_t bits = static_cast<std::uint32_t>(i), reversed = 0;
-  for (int b = 0; b < 32; ++b, bits >>= 1)
-    reversed = (reversed << 1) | (bits & 1u);
-  const double radical_inverse = reversed * 0x1p-32;
   // For count a power of two the radical inverses are k / count, so half a step centres them; for
   // others the mean is within 1 / (2 count) of it.
-  return {(i + 0.5) / count - 0.5, radical_inverse + 0.5 / count - 0.5};
+  return {(i + 0.5) / count - 0.5, radical_inverse(i, 2) + 0.5 / count - 0.5};
+}
+
+glm::dvec3 beam_part(int i, int count) {
+  if (count < 3) return {0.0, 0.0, 1.0};
+  // The spiral's points stand about sqrt(2 pi / N) sigma apart. A part as wide as that would do for
+  // what is smooth; lamps show as beads up to 1.3 times that, which is what 16 samples have here.
+  const double kept = 1.0 / std::sqrt(count);
+  std::vector<glm::dvec2> points = spiral(count);
+  whiten(points, 1.0 - kept);
+  // Neighbours on the spiral must not be neighbours in the pixel: in the order of a base that the
+  // positions there do not use.
+  const double own = radical_inverse(i, 3);
+  int place = 0;
+  for (int k = 0; k < count; ++k)
+    place += radical_inverse(k, 3) < own ? 1 : 0;
+  const glm::dvec2& at = points[static_cast<std::size_t>(place)];
+  return {at.x, at.y, std::sqrt(kept)};
 }
 
 } // namespace gg::uniforms

@@ -12,6 +12,7 @@ struct FrameData {
                         // w: last level of the screen pyramid
     vec4 boundsLow;     // xyz: the box that holds the scene, metres
     vec4 boundsHigh;
+    vec4 part;          // xyz: of every beam, the part that this sample of a pixel stands for (refraction/beam_part.glsl)
     ivec4 counts;       // x: punctual lights; y: walls
     vec4 walls[12];     // of each: its centre, metres; and the two gradients, per metre, of where on it a place is, -1 to 1
 };

@@ -28,8 +28,10 @@ vec3 reflectedRadiance(Surface s, vec3 direction, float sigma) {
     if (!looksAround) return farRadiance(direction, sigma);
     // The surface itself stands in the depth that is searched: begin two of its pixels off it.
     float pixel = (ofPixel(frame.eye.w) > 0.0 ? length(s.position - frame.eye.xyz) : 1.0) / frame.picture.z;
-    Beam beam = straightBeam(s.position + 2.0 * pixel * (s.n + direction), direction, sigma);
-    return beamRadiance(beam, meetBackdrop(beam.origin, direction, sigma, false));
+    Beam beam = partOf(straightBeam(s.position, direction, sigma));
+    beam.direction -= 2.0 * min(dot(beam.direction, s.n), 0.0) * s.n; // nothing comes from below: a wide part is folded up
+    beam.origin += 2.0 * pixel * (s.n + beam.direction);
+    return beamRadiance(beam, meetBackdrop(beam.origin, beam.direction, beam.sigma, false));
 }
 
 // The reflection lobe: what arrives along the tap is seen times the weight. And all else that the surroundings make of the

@@ -337,15 +337,19 @@ vec3 glassRadiance(GlassBeams beams, WeightedBeam mirror) {
             w = beams.leftOver;
             share = wanted.z;
         }
-        Meeting meeting = meetBackdrop(w.beam.origin, w.beam.direction, w.beam.sigma, true);
+        Beam part = partOf(w.beam);
+        Meeting meeting = meetBackdrop(part.origin, part.direction, part.sigma, true);
         if (group == 0 && beams.within >= 0.0) {
             meeting.distance = beams.within;
             meeting.seen = true;
         }
         int members = group == 0 && entryTaps() > 1 ? 2 : 1;
         for (int m = 0; m < members; ++m) {
-            if (m == 1) w = beams.rest;
-            sum += share * w.weight * beamRadiance(w.beam, meeting);
+            if (m == 1) {
+                w = beams.rest;
+                part = partOf(w.beam);
+            }
+            sum += share * w.weight * beamRadiance(part, meeting);
             if (hasLights && group < 2) sum += w.weight * lightsAlong(w.beam);
         }
         ++group;

@@ -6,6 +6,7 @@
 //          depth (each read is taken for a plane across the view, whose meeting with the beam has a closed form), which finds
 //          walls and floors in two or three reads; where that does not settle, in steps that are even on the screen.
 #include "stages/of_pixel.glsl"
+#include "refraction/beam_part.glsl"
 #include "refraction/screen_pyramid_fetch.glsl"
 
 layout(binding = 24) uniform sampler2D screenPyramid;
@@ -30,6 +31,18 @@ Beam straightBeam(vec3 origin, vec3 direction, float sigma) {
     beam.inner = 0.0;
     beam.carried = 0.0;
     beam.inside = 0.0;
+    return beam;
+}
+
+// The part of a beam that this sample of the pixel stands for. A wide beam meets more than one thing: by their parts the samples
+// meet each of them, where one meeting for all would draw its outline sharp.
+Beam partOf(Beam beam) {
+    BeamPart own = beamPart(beam.direction, beam.sigma, beam.inner, beam.carried, frame.part.xyz);
+    beam.origin += beam.inside * own.aside;
+    beam.direction = own.direction;
+    beam.sigma = own.sigma;
+    beam.inner = own.inner;
+    beam.carried = own.carried;
     return beam;
 }
 

@@ -285,6 +285,39 @@ TEST_P(Render, samples_average_the_pixel_over_its_box) {
   EXPECT_NEAR(p.at(size / 2 + 1, size / 2, 0), 0.0f, 0.0f);
 }
 
+// A rough floor reflects the half of a lit board that stands on it, at alpha .25 spread over much of the picture. One sample
+// meets the board or not; many meet it by their parts of the lobe: the greatest step is smaller by a third at
+// least (beside the board's foot the outline is sharp in truth).
+TEST_P(Render, samples_soften_the_outline_of_what_a_rough_surface_reflects) {
+  constexpr int size = 96;
+  scene::Scene scene = square(metal(0.5f));
+  scene.instances[0].world =
+      glm::rotate(glm::scale(glm::mat4(1.0f), glm::vec3(4.0f)), -glm::half_pi<float>(), {1, 0, 0});
+  scene.bounds = {};
+  scene.bounds.include({-4, 0, -4});
+  scene.bounds.include({4, 0, 4});
+  add(scene, square(unlit(glm::vec3(1.0f))), glm::translate(glm::mat4(1.0f), {1, 1.2f, -2}));
+  const auto greatest_step = [&](int samples) {
+    const image::Image picture = draw(scene, {environment::constant(glm::vec3(0.0f)),
+                                              {.width = size,
+                                               .height = size,
+                                               .samples = samples,
+                                               .camera = camera_at({0, 1.5f, 5}),
+                                               .method = frame::Method::lobes2}});
+    float step = 0.0f, most = 0.0f;
+    for (int y = 2 * size / 3; y < size; ++y)
+      for (int x = 1; x < size; ++x) {
+        step = std::max(step, std::abs(picture.at(x, y, 1) - picture.at(x - 1, y, 1)));
+        most = std::max(most, picture.at(x, y, 1));
+      }
+    EXPECT_GT(most, 0.05f) << "the board is not reflected";
+    return step / most;
+  };
+  const float hard = greatest_step(1);
+  EXPECT_GT(hard, 0.3f) << "there is no outline to soften";
+  EXPECT_LT(greatest_step(16), 2.0f / 3.0f * hard);
+}
+
 TEST_P(Render, orthographic_camera_shows_its_half_extents) {
   frame::FrameDesc desc = head_on();
   desc.camera.orthographic = true;
