@@ -68,6 +68,7 @@ void print_table(const std::vector<Column>& table) {
               [&](const Errors& e) { return fmt::format(fmt::runtime(format), e.*value); });
   };
   row("relMSE", &Errors::relmse, "{:.4g}");
+  row("relMSE, best 99 %", &Errors::relmse_99, "{:.4g}");
   row("RMSE", &Errors::rmse, "{:.4g}");
   row("signed mean", &Errors::signed_mean, "{:+.4g}");
   row("p99 of |difference|", &Errors::p99, "{:.4g}");
@@ -77,6 +78,8 @@ void print_table(const std::vector<Column>& table) {
   if (!table.front().errors->noise) return;
   print_row("relMSE from noise", table,
             [](const Errors& e) { return fmt::format("{:.4g}", e.noise->relmse); });
+  print_row("... of the best 99 %", table,
+            [](const Errors& e) { return fmt::format("{:.4g}", e.noise->relmse_99); });
   print_row("std. error of mean", table,
             [](const Errors& e) { return fmt::format("{:.4g}", e.noise->signed_mean); });
   print_row("pixels within noise", table, [](const Errors& e) {
@@ -110,6 +113,8 @@ json to_json(const Errors& e) {
   json result{{"pixels", e.pixels}};
   if (e.pixels == 0) return result;
   result.update({{"relmse", e.relmse},
+                 {"relmse_99", e.relmse_99},
+                 {"few_pixels_rule", image::few_pixels_rule(e)},
                  {"rmse", e.rmse},
                  {"signed_mean", e.signed_mean},
                  {"reference_mean", e.reference_mean},
@@ -120,6 +125,7 @@ json to_json(const Errors& e) {
     result["noise"] = {{"of_reference", e.noise->of_reference},
                        {"of_test", e.noise->of_test},
                        {"relmse", e.noise->relmse},
+                       {"relmse_99", e.noise->relmse_99},
                        {"rmse", e.noise->rmse},
                        {"signed_mean", e.noise->signed_mean},
                        {"pixels_within", e.noise->pixels_within},

@@ -27,14 +27,14 @@ Spread spread_of(std::vector<double> values);
 // and of each pass by the device's own timers, in the order of the frame.
 struct Timing {
   Spread frame;
-  std::vector<std::pair<std::string, double>> passes; // medians
+  std::vector<std::pair<std::string, Spread>> passes;
 };
 
 // Errors over the pixels of several objects together.
 struct Group {
   std::string name;
   std::size_t pixels = 0;
-  double relmse = 0.0, signed_mean = 0.0, flip = 0.0;
+  double relmse = 0.0, relmse_99 = 0.0, signed_mean = 0.0, flip = 0.0; // 99 %: of each object
   double noise = 0.0; // the part of relmse that the truth's noise explains
 };
 

@@ -77,14 +77,16 @@ std::string results_table(const Section& section) {
     rows += td(escaped(cell_name(section, cell))) + td(fmt::format("{:.2f}", ms.median))
             + td(fmt::format("{:.2f} – {:.2f}", ms.low_quartile, ms.high_quartile))
             + td(fmt::format("{:.2f} – {:.2f}", ms.least, ms.most))
-            + td(fmt::format("{:.3g}", e.relmse)) + td(fmt::format("{:.4f}", e.flip))
+            + td(fmt::format("{:.3g}", e.relmse)) + td(fmt::format("{:.3g}", e.relmse_99))
+            + td(fmt::format("{:.4f}", e.flip))
             + td(std::isfinite(e.psnr) ? fmt::format("{:.1f}", e.psnr) : "equal")
             + td(fmt::format("{:+.2g}", e.signed_mean)) + td(fmt::format("{:.3g}", e.p99))
+            + td(e.noise ? fmt::format("{:.0f} %", 100.0 * e.noise->pixels_within) : "")
             + td(fmt::format("{:.1f}", static_cast<double>(cell.bytes) / (1024.0 * 1024.0)))
             + td(lookups_of(cell.lookups)) + td(front ? "on the front" : "") + "</tr>\n";
   }
-  return table(head({"method", "ms", "quartiles", "least – most", "relMSE", "FLIP", "PSNR dB",
-                     "signed mean", "p99", "MiB", "lookups", "Pareto"}),
+  return table(head({"method", "ms", "quartiles", "least – most", "relMSE", "best 99 %", "FLIP",
+                     "PSNR dB", "signed mean", "p99", "within noise", "MiB", "lookups", "Pareto"}),
                rows);
 }
 
@@ -98,11 +100,12 @@ std::string groups_table(const Section& section, Grouping grouping) {
     const Group& first = groups_of(section.cells.front())[g];
     double least = INFINITY;
     for (const Cell& cell : section.cells)
-      least = std::min(least, groups_of(cell)[g].relmse);
+      least = std::min(least, groups_of(cell)[g].relmse_99);
     rows += "<tr>" + td(escaped(first.name));
     for (const Cell& cell : section.cells) {
       const Group& group = groups_of(cell)[g];
-      rows += td(fmt::format("{:.3g}", group.relmse), group.relmse <= least);
+      rows += td(fmt::format("{:.3g} / {:.3g}", group.relmse, group.relmse_99),
+                 group.relmse_99 <= least);
     }
     rows += td(fmt::format("{:.2g}", first.noise)) + td(std::to_string(first.pixels)) + "</tr>\n";
   }
@@ -115,15 +118,19 @@ std::string groups_table(const Section& section, Grouping grouping) {
 std::string passes_table(const Section& section) {
   std::vector<std::string> labels; // of all methods, in the order of the frame
   for (const Cell& cell : section.cells)
-    for (const auto& [label, ms] : cell.timing.passes)
+    for (const auto& [label, spread] : cell.timing.passes)
       if (std::ranges::find(labels, label) == labels.end()) labels.push_back(label);
   std::string rows;
   for (const std::string& label : labels) {
     rows += "<tr>" + td(escaped(label));
     for (const Cell& cell : section.cells) {
       const auto found =
-          std::ranges::find(cell.timing.passes, label, &std::pair<std::string, double>::first);
-      rows += td(found == cell.timing.passes.end() ? "" : fmt::format("{:.2f}", found->second));
+          std::ranges::find(cell.timing.passes, label, &std::pair<std::string, Spread>::first);
+      rows += td(found == cell.timing.passes.end()
+                     ? ""
+                     : fmt::format("{:.2f} <span class=\"quiet\">{:.2f} – {:.2f}</span>",
+                                   found->second.median, found->second.low_quartile,
+                                   found->second.high_quartile));
     }
     rows += "</tr>\n";
   }

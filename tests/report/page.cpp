@@ -24,13 +24,14 @@ Cell cell(const std::string& method, const std::string& backend, double ms, doub
          .bytes = 1 << 20,
          .triangles = 12,
          .timing = {.frame = {ms, 0.9 * ms, 1.1 * ms, 0.8 * ms, 2.0 * ms, 10},
-                    .passes = {{"opaque", 0.7 * ms}}},
-         .verdict = {.by_class = {{"metal", 40, error, 0.01, 0.1, 0.001}},
-                     .by_roughness = {{"to .1", 40, error, 0.01, 0.1, 0.001}}},
+                    .passes = {{"opaque", {0.7 * ms, 0.6 * ms, 0.8 * ms, 0.5 * ms, ms, 10}}}},
+         .verdict = {.by_class = {{"metal", 40, error, 0.7 * error, 0.01, 0.1, 0.001}},
+                     .by_roughness = {{"to .1", 40, error, 0.7 * error, 0.01, 0.1, 0.001}}},
          .picture = "data:image/webp;base64,QUJD",
          .flip = "data:image/webp;base64,QUJE",
          .command = "groundglass capture 'a <scene>.glb'"};
   c.verdict.objects.relmse = error;
+  c.verdict.objects.relmse_99 = 0.7 * error;
   c.verdict.objects.psnr = 30.0;
   c.verdict.frame = c.verdict.objects;
   return c;
@@ -84,6 +85,28 @@ TEST(page, shows_every_method_and_names_the_choice) {
        {"standard on opengl", "lobes2 on opengl", "standard on vulkan",
         "the fastest with a relMSE of at most 0.1", "on the front", "metal", "to .1", "opaque"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
+}
+
+TEST(page, shows_how_times_of_passes_spread) {
+  EXPECT_EQ(count(page(report()), "2.80 <span class=\"quiet\">2.40 – 3.20</span>"), 1u);
+}
+
+TEST(page, says_where_few_pixels_rule_the_error_and_where_noise_does) {
+  const auto has = [](const Report& r, const char* text) {
+    return page(r).find(text) != std::string::npos;
+  };
+  Report r = report();
+  EXPECT_FALSE(has(r, "One pixel in a hundred"));
+  EXPECT_FALSE(has(r, "own noise for"));
+  image::Errors& lobes2 = r.sections[0].cells[1].verdict.objects;
+  lobes2.relmse = 866.0;
+  lobes2.relmse_99 = 0.123;
+  lobes2.noise = image::Noise{.relmse = 500.0, .pixels_within = 0.37};
+  for (const char* text :
+       {"One pixel in a hundred carries more than half of the relMSE for: "
+        "lobes2 on opengl. ",
+        "own noise for: lobes2 on opengl. ", "<td>866</td><td>0.123</td>", "<td>37 %</td>"})
+    EXPECT_TRUE(has(r, text)) << text;
 }
 
 TEST(page, of_a_report_of_nothing_is_a_page) {
@@ -178,7 +201,10 @@ TEST(exports, json_has_every_number_and_verdicts_survive_it_exactly) {
   EXPECT_EQ(first.at("ms").at("median"), 2.0);
   EXPECT_EQ(first.at("passes").at(0).at("pass"), "opaque");
   EXPECT_EQ(json.at("scenes").at(0).at("choice").at("cell"), 1);
-  const Verdict v = report().sections.front().cells.front().verdict;
+  EXPECT_EQ(first.at("passes").at(0).at("ms").at("high_quartile"), 1.6);
+  EXPECT_EQ(first.at("errors").at("objects").at("relmse_99"), 0.35);
+  Verdict v = report().sections.front().cells.front().verdict;
+  v.objects.noise = image::Noise{.relmse = 0.1, .relmse_99 = 0.05};
   EXPECT_EQ(to_json(verdict_from(to_json(v))), to_json(v));
   Verdict equal = v; // an infinite PSNR has no number in JSON
   equal.objects.psnr = INFINITY;
