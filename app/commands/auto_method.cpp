@@ -72,6 +72,7 @@ NamedMethod choose_method(const SceneOptions& scene, const DeviceOptions& device
   report::Devices devices(plan);
   const report::Subject full = subject_of(scene, method.smith, method.multiscatter);
   std::vector<report::Point> points;
+  std::vector<image::Errors> errors; // of each
   try {
     std::unique_ptr<report::Loaded> loaded;
     for (const report::Cell& cell :
@@ -85,8 +86,10 @@ NamedMethod choose_method(const SceneOptions& scene, const DeviceOptions& device
     report::Work work;
     const report::Section small = report::measure(
         subject_of(reduced(scene), method.smith, method.multiscatter), plan, cache, devices, work);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      points[i].error = small.cells[i].verdict.objects.relmse;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      errors.push_back(small.cells[i].verdict.objects);
+      points[i].error = errors[i].relmse;
+    }
   } catch (const report::Interrupted&) {
     throw Error(ExitCode::interrupted, "--method auto", "was interrupted while measuring",
                 "The same command goes on from there.");
@@ -94,10 +97,14 @@ NamedMethod choose_method(const SceneOptions& scene, const DeviceOptions& device
   const auto choice = report::choose(points, plan.limit);
   if (!choice) throw Error(ExitCode::internal, "--method auto", "measured nothing");
   const NamedMethod& chosen = methods()[choice->index];
+  const image::Errors& e = errors[choice->index];
   note(fmt::format(
       "--method auto: {}, {:.3g} ms per frame of one sample per pixel, relMSE {:.3g} over the "
-      "objects{}",
-      chosen.name, points[choice->index].ms, points[choice->index].error,
+      "objects{}{}",
+      chosen.name, points[choice->index].ms, e.relmse,
+      image::few_pixels_rule(e)
+          ? fmt::format(" (which few pixels rule: the best 99 % have {:.3g})", e.relmse_99)
+          : "",
       choice->met ? "" : "; no method meets the limit, this one comes nearest"));
   return chosen;
 }

@@ -142,7 +142,7 @@ std::string section_of(const Section& s, const Limit& limit, std::size_t number)
     html += paragraph("To use: " + escaped(choice_text(s, limit)),
                       s.choice->met ? "choice" : "choice unmet");
   html += "<div class=\"side\">\n<div>\n" + compared(s, number) + scale() + "</div>\n<div>\n"
-          + plot(s, limit) + "</div>\n</div>\n";
+          + plot(s, limit, Measure::all) + plot(s, limit, Measure::best_99) + "</div>\n</div>\n";
   html += results_table(s) + remarks(s);
   const auto titled = [&](const char* title, const std::string& table) {
     if (!table.empty()) html += fmt::format("<h3>{}</h3>\n{}", title, table);
@@ -178,7 +178,8 @@ constexpr const char* reading =
     "|x - r|. Best 99 % is the relMSE without the hundredth of the "
     "pixels where it is largest. Within noise is the share of pixels "
     "whose difference is no larger than their truth's standard error: "
-    "of them nothing can be said. FLIP and PSNR are of the displayed picture: clamped, "
+    "of them nothing can be said. The choice within a limit is by the "
+    "relMSE of all pixels. FLIP and PSNR are of the displayed picture: clamped, "
     "sRGB, 67 pixels per degree. Lookups are those of the blurred "
     "surroundings that one pixel makes, at most: of what is reflected, "
     "and for glass of what is refracted, of what leaves after total "

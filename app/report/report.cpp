@@ -155,6 +155,7 @@ Section measure(const Subject& subject, const Plan& plan, const Cache& cache, De
   }
   const std::vector<Point> points = points_of(section.cells);
   section.front = pareto_front(points);
+  section.front_99 = pareto_front(points_of(section.cells, Measure::best_99));
   section.choice = choose(points, plan.limit);
   return section;
 }

@@ -82,10 +82,15 @@ Spread spread_of(std::vector<double> values) {
           values.front(),        values.back(),          values.size()};
 }
 
-std::vector<Point> points_of(const std::vector<Cell>& cells) {
+double error_of(const Cell& cell, Measure measure) {
+  const image::Errors& e = cell.verdict.objects;
+  return measure == Measure::all ? e.relmse : e.relmse_99;
+}
+
+std::vector<Point> points_of(const std::vector<Cell>& cells, Measure measure) {
   std::vector<Point> points;
   for (const Cell& cell : cells)
-    points.push_back({cell.timing.frame.median, cell.verdict.objects.relmse});
+    points.push_back({cell.timing.frame.median, error_of(cell, measure)});
   return points;
 }
 

@@ -73,7 +73,7 @@ struct Section {
   std::string truth_command;
   std::vector<std::string> needs; // lines; empty: nothing is known
   std::vector<Cell> cells;
-  std::vector<std::size_t> front; // Pareto front, by rising time
+  std::vector<std::size_t> front, front_99; // Pareto fronts by Measure, by rising time
   std::optional<Choice> choice;
   std::string measured; // date of the timing, ISO 8601, UTC
 };
@@ -84,8 +84,11 @@ struct Report {
   std::vector<Section> sections;
 };
 
-// The points that the front and the choice are made of: median ms, relMSE over the objects.
-std::vector<Point> points_of(const std::vector<Cell>& cells);
+// Errors to draw against time: relMSE over the objects, of all their pixels or of the best 99 %.
+enum class Measure { all, best_99 };
+double error_of(const Cell& cell, Measure measure);
+// What a front is made of, with the median of the milliseconds; the choice is made by all pixels.
+std::vector<Point> points_of(const std::vector<Cell>& cells, Measure measure = Measure::all);
 
 // To and from the cache, exactly.
 nlohmann::json to_json(const Timing& timing);

@@ -53,8 +53,11 @@ std::string cell_name(const Section& section, const Cell& cell) {
 std::string choice_text(const Section& section, const Limit& limit) {
   if (!section.choice) return {};
   const Cell& cell = section.cells[section.choice->index];
-  const std::string is = fmt::format("{}: {:.3g} ms, relMSE {:.3g}", cell_name(section, cell),
-                                     cell.timing.frame.median, cell.verdict.objects.relmse);
+  const image::Errors& e = cell.verdict.objects;
+  std::string is = fmt::format("{}: {:.3g} ms, relMSE {:.3g}", cell_name(section, cell),
+                               cell.timing.frame.median, e.relmse);
+  if (image::few_pixels_rule(e))
+    is += fmt::format(", which few pixels rule: the best 99 % have {:.3g}", e.relmse_99);
   if (limit.max_error)
     return section.choice->met
                ? fmt::format("{} (the fastest with a relMSE of at most {:g})", is, *limit.max_error)
@@ -72,7 +75,8 @@ std::string results_table(const Section& section) {
     const Spread& ms = cell.timing.frame;
     const image::Errors& e = cell.verdict.objects;
     const bool chosen = section.choice && section.choice->index == i;
-    const bool front = std::ranges::find(section.front, i) != section.front.end();
+    const bool all = std::ranges::find(section.front, i) != section.front.end();
+    const bool best = std::ranges::find(section.front_99, i) != section.front_99.end();
     rows += chosen ? "<tr class=\"chosen\">" : "<tr>";
     rows += td(escaped(cell_name(section, cell))) + td(fmt::format("{:.2f}", ms.median))
             + td(fmt::format("{:.2f} – {:.2f}", ms.low_quartile, ms.high_quartile))
@@ -83,11 +87,17 @@ std::string results_table(const Section& section) {
             + td(fmt::format("{:+.2g}", e.signed_mean)) + td(fmt::format("{:.3g}", e.p99))
             + td(e.noise ? fmt::format("{:.0f} %", 100.0 * e.noise->pixels_within) : "")
             + td(fmt::format("{:.1f}", static_cast<double>(cell.bytes) / (1024.0 * 1024.0)))
-            + td(lookups_of(cell.lookups)) + td(front ? "on the front" : "") + "</tr>\n";
+            + td(lookups_of(cell.lookups))
+            + td(all && best ? "both"
+                 : all       ? "relMSE"
+                 : best      ? "99 %"
+                             : "")
+            + "</tr>\n";
   }
-  return table(head({"method", "ms", "quartiles", "least – most", "relMSE", "best 99 %", "FLIP",
-                     "PSNR dB", "signed mean", "p99", "within noise", "MiB", "lookups", "Pareto"}),
-               rows);
+  return table(
+      head({"method", "ms", "quartiles", "least – most", "relMSE", "best 99 %", "FLIP", "PSNR dB",
+            "signed mean", "p99", "within noise", "MiB", "lookups", "Pareto front"}),
+      rows);
 }
 
 std::string groups_table(const Section& section, Grouping grouping) {
@@ -116,10 +126,16 @@ std::string groups_table(const Section& section, Grouping grouping) {
 }
 
 std::string passes_table(const Section& section) {
-  std::vector<std::string> labels; // of all methods, in the order of the frame
-  for (const Cell& cell : section.cells)
-    for (const auto& [label, spread] : cell.timing.passes)
-      if (std::ranges::find(labels, label) == labels.end()) labels.push_back(label);
+  // Of all methods, in the order of the frame: what one method has alone stands behind the pass that
+  // comes before it there.
+  std::vector<std::string> labels;
+  for (const Cell& cell : section.cells) {
+    auto at = labels.begin();
+    for (const auto& [label, spread] : cell.timing.passes) {
+      const auto found = std::ranges::find(labels, label);
+      at = found == labels.end() ? labels.insert(at, label) + 1 : found + 1;
+    }
+  }
   std::string rows;
   for (const std::string& label : labels) {
     rows += "<tr>" + td(escaped(label));

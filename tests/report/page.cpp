@@ -48,6 +48,7 @@ Report report() {
             .cells = {cell("standard", "opengl", 2.0, 0.5), cell("lobes2", "opengl", 4.0, 0.01),
                       cell("standard", "vulkan", 3.0, 0.5)}};
   s.front = pareto_front(points_of(s.cells));
+  s.front_99 = pareto_front(points_of(s.cells, Measure::best_99));
   s.choice = choose(points_of(s.cells), {.max_error = 0.1});
   return {.version = "0",
           .command = "groundglass report",
@@ -83,7 +84,7 @@ TEST(page, shows_every_method_and_names_the_choice) {
   const std::string html = page(report());
   for (const char* part :
        {"standard on opengl", "lobes2 on opengl", "standard on vulkan",
-        "the fastest with a relMSE of at most 0.1", "on the front", "metal", "to .1", "opaque"})
+        "the fastest with a relMSE of at most 0.1", "<td>both</td>", "metal", "to .1", "opaque"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
 }
 
@@ -109,13 +110,39 @@ TEST(page, says_where_few_pixels_rule_the_error_and_where_noise_does) {
     EXPECT_TRUE(has(r, text)) << text;
 }
 
+TEST(page, lists_passes_in_the_order_of_the_frame_whichever_method_has_them) {
+  Report r = report();
+  r.sections[0].cells[0].timing.passes = {{"opaque", {}}, {"refractive", {}}};
+  r.sections[0].cells[1].timing.passes = {{"opaque", {}}, {"interior", {}}, {"refractive", {}}};
+  const std::string html = page(r);
+  const auto at = [&](const char* pass) { return html.find(std::string("<td>") + pass + "</td>"); };
+  EXPECT_LT(at("opaque"), at("interior"));
+  EXPECT_LT(at("interior"), at("refractive"));
+}
+
 TEST(page, of_a_report_of_nothing_is_a_page) {
   EXPECT_NE(page({}).find("</html>"), std::string::npos);
 }
 
+TEST(plot, of_the_best_99_percent_has_their_errors_and_their_front) {
+  Report r = report();
+  Section& s = r.sections.front();
+  s.cells[1].verdict.objects.relmse = 866.0; // one pixel: by all, the slower method is the worse
+  s.front = pareto_front(points_of(s.cells));
+  EXPECT_EQ(s.front, (std::vector<std::size_t>{0}));
+  EXPECT_EQ(s.front_99, (std::vector<std::size_t>{0, 1}));
+  const std::string all = plot(s, {}, Measure::all), best = plot(s, {}, Measure::best_99);
+  EXPECT_EQ(count(all, "relMSE 866"), 1u);
+  EXPECT_EQ(count(best, "relMSE 866"), 0u);
+  EXPECT_EQ(count(best, "relMSE 0.007"), 1u);
+  EXPECT_EQ(count(best, "best 99 %"), 1u);
+  EXPECT_EQ(count(page(r), "<td>99 %</td>"), 1u);
+  EXPECT_EQ(count(plots(r), "class=\"front\""), 2u);
+}
+
 TEST(plot, has_a_point_and_an_error_bar_per_cell_and_the_front) {
   const Report r = report();
-  const std::string svg = plot(r.sections.front(), r.limit);
+  const std::string svg = plot(r.sections.front(), r.limit, Measure::all);
   EXPECT_EQ(count(svg, "<title>"), 3u);
   EXPECT_EQ(count(svg, "class=\"front\""), 1u);
   EXPECT_EQ(count(svg, "--max-error"), 1u);
@@ -127,7 +154,7 @@ TEST(plot, of_equal_pictures_and_of_one_point_has_finite_axes) {
   Report r = report();
   r.sections.front().cells = {cell("standard", "opengl", 0.0, 0.0)};
   r.sections.front().front = {0};
-  const std::string svg = plot(r.sections.front(), r.limit);
+  const std::string svg = plot(r.sections.front(), r.limit, Measure::all);
   EXPECT_EQ(svg.find("nan"), std::string::npos) << svg;
   EXPECT_EQ(svg.find("inf"), std::string::npos) << svg;
 }
@@ -159,7 +186,7 @@ TEST(plot, labels_find_room_for_themselves) {
   for (const char* name : {"standard", "lobes1", "lobes2", "lobes3", "lobes4", "fis16", "fis32"})
     cells.push_back(cell(name, "opengl", 4.0 + 0.001 * static_cast<double>(cells.size()), 0.01));
   crowded.sections[0].front = {0};
-  const std::string svg = plot(crowded.sections[0], crowded.limit);
+  const std::string svg = plot(crowded.sections[0], crowded.limit, Measure::all);
   struct Label {
     double x, y;
   };
