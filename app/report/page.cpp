@@ -171,20 +171,15 @@ std::string devices(const Report& report) {
 }
 
 constexpr const char* reading =
-    "relMSE is the mean of (x - r)² / (r² + 0.01) over RGB, in linear "
-    "light, over the pixels that shaded "
-    "objects cover wholly (unlit ones are the same in every method); "
-    "so are signed mean (x - r) and p99 of "
-    "|x - r|. Best 99 % is the relMSE without the hundredth of the "
-    "pixels where it is largest. Within noise is the share of pixels "
-    "whose difference is no larger than their truth's standard error: "
-    "of them nothing can be said. The choice within a limit is by the "
-    "relMSE of all pixels. FLIP and PSNR are of the displayed picture: clamped, "
-    "sRGB, 67 pixels per degree. Lookups are those of the blurred "
-    "surroundings that one pixel makes, at most: of what is reflected, "
-    "and for glass of what is refracted, of what leaves after total "
-    "reflection and of what is left over. Left of the line is the "
-    "truth, right of it the method.";
+    "relMSE is the mean of (x - r)² / (r² + 0.01) over RGB, in linear light, over the pixels that "
+    "shaded objects cover wholly (unlit ones are the same in every method); so are signed mean "
+    "(x - r) and p99 of |x - r|. Best 99 % is the relMSE without the hundredth of the pixels where "
+    "it is largest; what is most accurate is told by it, --max-error by all pixels. Within noise "
+    "is the share of pixels whose difference is no larger than their truth's standard error: of "
+    "them nothing can be said. FLIP and PSNR are of the displayed picture: clamped, sRGB, 67 "
+    "pixels per degree. Lookups are those of the blurred surroundings that one pixel makes, at "
+    "most: of what is reflected, and for glass of what is refracted, of what leaves after total "
+    "reflection and of what is left over. Left of the line is the truth, right of it the method.";
 
 } // namespace
 

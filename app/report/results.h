@@ -87,8 +87,8 @@ struct Report {
 // Errors to draw against time: relMSE over the objects, of all their pixels or of the best 99 %.
 enum class Measure { all, best_99 };
 double error_of(const Cell& cell, Measure measure);
-// What a front is made of, with the median of the milliseconds; the choice is made by all pixels.
-std::vector<Point> points_of(const std::vector<Cell>& cells, Measure measure = Measure::all);
+// What a front is made of, with the median of the milliseconds.
+std::vector<Point> points_of(const std::vector<Cell>& cells, Measure measure);
 
 // To and from the cache, exactly.
 nlohmann::json to_json(const Timing& timing);
