@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -87,8 +88,23 @@ void print_table(const std::vector<Column>& table) {
   });
 }
 
+// Where the pictures differ most, for a look at what rules the error.
+std::string worst_pixel(const Comparison& comparison, const Picture& test,
+                        const Picture& reference) {
+  const std::vector<float>& errors = comparison.relative_map.values;
+  const int at = static_cast<int>(std::ranges::max_element(errors) - errors.begin());
+  const int x = at % comparison.relative_map.width, y = at / comparison.relative_map.width;
+  const auto rgb = [&](const image::Image& image) {
+    return fmt::format("{:.4g}, {:.4g}, {:.4g}", image.at(x, y, 0), image.at(x, y, 1),
+                       image.at(x, y, 2));
+  };
+  return fmt::format("({}, {}): {} where the reference has {}", x, y, rgb(test.colour),
+                     rgb(reference.colour));
+}
+
 // What a reader must know before believing the numbers.
-std::vector<std::string> remarks(const std::vector<Column>& table, const Comparison& comparison) {
+std::vector<std::string> remarks(const std::vector<Column>& table, const Comparison& comparison,
+                                 const Picture& test, const Picture& reference) {
   std::vector<std::string> lines;
   const auto& noise = comparison.frame.noise;
   if (!noise || !noise->of_reference)
@@ -106,6 +122,15 @@ std::vector<std::string> remarks(const std::vector<Column>& table, const Compari
           column.title, std::min(100.0, 100.0 * e.noise->relmse / e.relmse), e.relmse));
     }
   }
+  std::string uneven;
+  for (const Column& column : table)
+    if (image::few_pixels_rule(*column.errors))
+      uneven += (uneven.empty() ? "" : ", ") + column.title;
+  if (!uneven.empty())
+    lines.push_back(fmt::format(
+        "Few pixels rule relMSE ({}): one in a hundred carries more than half of it. The worst of "
+        "the frame is {}.",
+        uneven, worst_pixel(comparison, test, reference)));
   return lines;
 }
 
@@ -180,7 +205,7 @@ void run(const Options& options) {
   const Comparison comparison = image::compare(test, reference, options.objects);
   const Picture& with_names = reference.id.empty() ? test : reference;
   const std::vector<Column> table = columns(comparison, with_names);
-  const std::vector<std::string> lines = remarks(table, comparison);
+  const std::vector<std::string> lines = remarks(table, comparison, test, reference);
   // Both or neither: the map is written while the other file is complete but not yet in place.
   std::optional<OutputFile> numbers;
   if (!options.json_file.empty()) {

@@ -26,7 +26,7 @@ struct Options {
   std::string out, methods, backends = "opengl", surface, smith = "separable";
   int device = -1, samples = 16, frames = 20;
   long spp = 256;
-  double error = 0.0;
+  std::optional<double> error;
   bool multiscatter = false;
   std::optional<double> max_error, budget;
 };
@@ -56,7 +56,7 @@ void check(const Options& o) {
     if (!(value > 0.0) || !std::isfinite(value))
       throw Error(ExitCode::usage, option, "must be more than 0, and finite");
   };
-  if (o.error != 0.0) positive("--error", o.error);
+  if (o.error) positive("--error", *o.error);
   if (o.max_error) positive("--max-error", *o.max_error);
   if (o.budget) positive("--budget", *o.budget);
   if (o.smith != "separable" && o.smith != "correlated")
@@ -84,7 +84,7 @@ report::Plan plan_of(const Options& o) {
                     .samples = o.samples,
                     .frames = o.frames,
                     .truth_samples = o.spp,
-                    .truth_error = o.error,
+                    .truth_error = o.error.value_or(0.0),
                     .limit = {.max_error = o.max_error, .budget = o.budget},
                     .directory = o.out,
                     .version = GROUNDGLASS_VERSION,
