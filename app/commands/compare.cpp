@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -68,6 +69,7 @@ void print_table(const std::vector<Column>& table) {
               [&](const Errors& e) { return fmt::format(fmt::runtime(format), e.*value); });
   };
   row("relMSE", &Errors::relmse, "{:.4g}");
+  row("relMSE, best 99 %", &Errors::relmse_99, "{:.4g}");
   row("RMSE", &Errors::rmse, "{:.4g}");
   row("signed mean", &Errors::signed_mean, "{:+.4g}");
   row("p99 of |difference|", &Errors::p99, "{:.4g}");
@@ -77,6 +79,8 @@ void print_table(const std::vector<Column>& table) {
   if (!table.front().errors->noise) return;
   print_row("relMSE from noise", table,
             [](const Errors& e) { return fmt::format("{:.4g}", e.noise->relmse); });
+  print_row("... of the best 99 %", table,
+            [](const Errors& e) { return fmt::format("{:.4g}", e.noise->relmse_99); });
   print_row("std. error of mean", table,
             [](const Errors& e) { return fmt::format("{:.4g}", e.noise->signed_mean); });
   print_row("pixels within noise", table, [](const Errors& e) {
@@ -84,8 +88,23 @@ void print_table(const std::vector<Column>& table) {
   });
 }
 
+// Where the pictures differ most, for a look at what rules the error.
+std::string worst_pixel(const Comparison& comparison, const Picture& test,
+                        const Picture& reference) {
+  const std::vector<float>& errors = comparison.relative_map.values;
+  const int at = static_cast<int>(std::ranges::max_element(errors) - errors.begin());
+  const int x = at % comparison.relative_map.width, y = at / comparison.relative_map.width;
+  const auto rgb = [&](const image::Image& image) {
+    return fmt::format("{:.4g}, {:.4g}, {:.4g}", image.at(x, y, 0), image.at(x, y, 1),
+                       image.at(x, y, 2));
+  };
+  return fmt::format("({}, {}): {} where the reference has {}", x, y, rgb(test.colour),
+                     rgb(reference.colour));
+}
+
 // What a reader must know before believing the numbers.
-std::vector<std::string> remarks(const std::vector<Column>& table, const Comparison& comparison) {
+std::vector<std::string> remarks(const std::vector<Column>& table, const Comparison& comparison,
+                                 const Picture& test, const Picture& reference) {
   std::vector<std::string> lines;
   const auto& noise = comparison.frame.noise;
   if (!noise || !noise->of_reference)
@@ -103,6 +122,15 @@ std::vector<std::string> remarks(const std::vector<Column>& table, const Compari
           column.title, std::min(100.0, 100.0 * e.noise->relmse / e.relmse), e.relmse));
     }
   }
+  std::string uneven;
+  for (const Column& column : table)
+    if (image::few_pixels_rule(*column.errors))
+      uneven += (uneven.empty() ? "" : ", ") + column.title;
+  if (!uneven.empty())
+    lines.push_back(fmt::format(
+        "Few pixels rule relMSE ({}): one in a hundred carries more than half of it. The worst of "
+        "the frame is {}.",
+        uneven, worst_pixel(comparison, test, reference)));
   return lines;
 }
 
@@ -110,6 +138,8 @@ json to_json(const Errors& e) {
   json result{{"pixels", e.pixels}};
   if (e.pixels == 0) return result;
   result.update({{"relmse", e.relmse},
+                 {"relmse_99", e.relmse_99},
+                 {"few_pixels_rule", image::few_pixels_rule(e)},
                  {"rmse", e.rmse},
                  {"signed_mean", e.signed_mean},
                  {"reference_mean", e.reference_mean},
@@ -120,6 +150,7 @@ json to_json(const Errors& e) {
     result["noise"] = {{"of_reference", e.noise->of_reference},
                        {"of_test", e.noise->of_test},
                        {"relmse", e.noise->relmse},
+                       {"relmse_99", e.noise->relmse_99},
                        {"rmse", e.noise->rmse},
                        {"signed_mean", e.noise->signed_mean},
                        {"pixels_within", e.noise->pixels_within},
@@ -174,7 +205,7 @@ void run(const Options& options) {
   const Comparison comparison = image::compare(test, reference, options.objects);
   const Picture& with_names = reference.id.empty() ? test : reference;
   const std::vector<Column> table = columns(comparison, with_names);
-  const std::vector<std::string> lines = remarks(table, comparison);
+  const std::vector<std::string> lines = remarks(table, comparison, test, reference);
   // Both or neither: the map is written while the other file is complete but not yet in place.
   std::optional<OutputFile> numbers;
   if (!options.json_file.empty()) {

@@ -26,7 +26,7 @@ struct Options {
   std::string out, methods, backends = "opengl", surface, smith = "separable";
   int device = -1, samples = 16, frames = 20;
   long spp = 256;
-  double error = 0.0;
+  std::optional<double> error;
   bool multiscatter = false;
   std::optional<double> max_error, budget;
 };
@@ -54,9 +54,9 @@ void check(const Options& o) {
   between("--spp", o.spp, 2, 1L << 30);
   const auto positive = [](const char* option, double value) {
     if (!(value > 0.0) || !std::isfinite(value))
-      throw Error(ExitCode::usage, option, "must be more than 0");
+      throw Error(ExitCode::usage, option, "must be more than 0, and finite");
   };
-  if (o.error != 0.0) positive("--error", o.error);
+  if (o.error) positive("--error", *o.error);
   if (o.max_error) positive("--max-error", *o.max_error);
   if (o.budget) positive("--budget", *o.budget);
   if (o.smith != "separable" && o.smith != "correlated")
@@ -84,7 +84,7 @@ report::Plan plan_of(const Options& o) {
                     .samples = o.samples,
                     .frames = o.frames,
                     .truth_samples = o.spp,
-                    .truth_error = o.error,
+                    .truth_error = o.error.value_or(0.0),
                     .limit = {.max_error = o.max_error, .budget = o.budget},
                     .directory = o.out,
                     .version = GROUNDGLASS_VERSION,
@@ -160,8 +160,10 @@ void add_report(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--multiscatter", o->multiscatter,
                     "Give back the energy of multiple scattering, in the truth too");
-  CLI::Option* budget =
-      command->add_option("--budget", o->budget, "Name the most accurate method within so many ms");
+  CLI::Option* budget = command->add_option(
+      "--budget", o->budget,
+      "Name the method within so many ms whose relMSE over the best 99 % of the "
+      "objects' pixels is least");
   command
       ->add_option("--max-error", o->max_error,
                    "Name the fastest method whose relMSE over the objects is no larger")

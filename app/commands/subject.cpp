@@ -5,6 +5,7 @@
 #include "needs/words.h"
 #include "report/key.h"
 
+#include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 
 #include <sstream>
@@ -12,19 +13,21 @@
 namespace gg::commands {
 namespace {
 
-// What `groundglass needs` prints, of the method that does the most.
-std::vector<std::string> needs_of(const report::Loaded& loaded, Size size, bool correlated_smith,
-                                  bool multiscatter) {
+// What `groundglass needs` prints of the method that is drawn if none is asked for, under the command.
+std::vector<std::string> needs_of(const report::Loaded& loaded, const std::string& options,
+                                  Size size, bool correlated_smith, bool multiscatter) {
+  const NamedMethod method = find_method(MethodOptions{}.method);
   needs::View view{.camera = loaded.camera,
                    .width = size.width,
                    .height = size.height,
                    .samples = 1,
-                   .method = methods().back().method,
+                   .method = method.method,
                    .correlated_smith = correlated_smith,
                    .multiple_scattering = multiscatter};
   if (loaded.environment) view.environment = environment::bytes_of(*loaded.environment);
   std::istringstream text(needs::text_of(needs::needs_of(loaded.scene, view)));
-  std::vector<std::string> lines;
+  std::vector<std::string> lines{
+      fmt::format("groundglass needs {} --samples 1 --method {}", options, method.name), ""};
   for (std::string line; std::getline(text, line);)
     lines.push_back(line);
   return lines;
@@ -42,6 +45,9 @@ report::Subject subject_of(const SceneOptions& o, const std::string& smith, bool
                               .add(typed_view(view))
                               .add(file ? report::key_of_file(*file) : o.env)
                               .text();
+  const std::string options = in_shell(o.scene) + typed_view(o)
+                              + (smith == "separable" ? "" : " --smith " + smith)
+                              + (multiscatter ? " --multiscatter" : "");
   return {.name = std::filesystem::path(o.scene).stem().string(),
           .path = o.scene,
           .environment = file ? file->filename().string() : o.env,
@@ -59,12 +65,10 @@ report::Subject subject_of(const SceneOptions& o, const std::string& smith, bool
                 return loaded;
               },
           .needs =
-              [size, smith, multiscatter](const report::Loaded& l) {
-                return needs_of(l, size, smith == "correlated", multiscatter);
+              [size, smith, multiscatter, options](const report::Loaded& l) {
+                return needs_of(l, options, size, smith == "correlated", multiscatter);
               },
-          .options = in_shell(o.scene) + typed_view(o)
-                     + (smith == "separable" ? "" : " --smith " + smith)
-                     + (multiscatter ? " --multiscatter" : "")};
+          .options = options};
 }
 
 } // namespace gg::commands

@@ -16,6 +16,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 namespace gg::commands {
 namespace {
@@ -26,8 +27,8 @@ using nlohmann::json;
 struct Options {
   SceneOptions scene;
   std::string out, json, smith = "separable";
-  long spp = 0;
-  double error = 0.0;
+  std::optional<long> spp;
+  std::optional<double> error;
   std::uint64_t seed = 0;
   int threads = 0;
   bool surface_only = false, resume = false, half = false, multiscatter = false;
@@ -36,17 +37,19 @@ struct Options {
 constexpr long default_spp = 256;
 // Beyond this a float's 24 bits do not tell the mean from its neighbours anyway.
 constexpr long most_spp = 1L << 30;
+constexpr double most_error = 10.0; // ten times as large as what it is the error of
 constexpr int most_threads = 1024;
 
 void check(const Options& o) {
   if (fs::path(o.out).extension() != ".exr")
     throw Error(ExitCode::usage, o.out, "is not an .exr file",
                 "Truth keeps its error and object ids in OpenEXR channels: -o truth.exr.");
-  if (o.spp != 0 && (o.spp < 2 || o.spp > most_spp))
+  if (o.spp && (*o.spp < 2 || *o.spp > most_spp))
     throw Error(ExitCode::usage, "--spp", fmt::format("must be from 2 to {}", most_spp),
                 "One sample says nothing about its error.");
-  if (o.error != 0.0 && !(o.error > 0.0 && o.error < 10.0))
-    throw Error(ExitCode::usage, "--error", "must be more than 0", "0.05 is 5 %.");
+  if (o.error && !(*o.error > 0.0 && *o.error <= most_error))
+    throw Error(ExitCode::usage, "--error", fmt::format("must be more than 0, to {}", most_error),
+                "0.05 is 5 %.");
   if (o.threads < 0 || o.threads > most_threads)
     throw Error(ExitCode::usage, "--threads", fmt::format("must be from 0 to {}", most_threads));
   if (o.smith != "separable" && o.smith != "correlated")
@@ -167,10 +170,8 @@ void trace(const Options& o) {
        .multiple_scattering = o.multiscatter});
 
   const truth::RenderDesc desc{.seed = o.seed,
-                               .samples = o.spp > 0       ? o.spp
-                                          : o.error > 0.0 ? most_spp
-                                                          : default_spp,
-                               .error = o.error,
+                               .samples = o.spp.value_or(o.error ? most_spp : default_spp),
+                               .error = o.error.value_or(0.0),
                                .threads = o.threads};
   const auto start = std::chrono::steady_clock::now();
   bool complete = false;

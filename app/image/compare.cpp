@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace gg::image {
 namespace {
@@ -26,6 +28,16 @@ double value(const Image& image, std::size_t pixel, std::size_t channel) {
 
 double displayed(double linear) {
   return srgb_from_linear(linear);
+}
+
+// Of a pixel: the mean over R, G and B of (x - r)^2 / (r^2 + 0.01).
+double relative_square(const Image& test, const Image& reference, std::size_t pixel) {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double r = value(reference, pixel, c);
+    sum += square(value(test, pixel, c) - r) / (square(r) + dark);
+  }
+  return sum / 3.0;
 }
 
 double percentile(std::vector<float>& values, double fraction) {
@@ -72,10 +84,34 @@ std::optional<Noise> noise_of(const Picture& test, const Picture& reference, con
   return noise;
 }
 
+// What pixels are wrong by, each, and all but the worst hundredth of them.
+struct Ranking {
+  double all = 0.0, best = 0.0; // means of relative_square
+  Mask kept;
+};
+
+Ranking ranking(const Picture& test, const Picture& reference, const Mask& mask) {
+  Ranking result{.kept = mask};
+  std::vector<std::pair<double, std::size_t>> pixels; // how wrong, and which
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    if (mask[i]) pixels.emplace_back(relative_square(test.colour, reference.colour, i), i);
+  const auto cut = pixels.begin() + static_cast<std::ptrdiff_t>(pixels.size() / 100);
+  std::nth_element(pixels.begin(), cut, pixels.end(), std::greater{});
+  for (auto worst = pixels.begin(); worst != cut; ++worst) {
+    result.all += worst->first;
+    result.kept[worst->second] = false;
+  }
+  for (auto pixel = cut; pixel != pixels.end(); ++pixel)
+    result.best += pixel->first;
+  result.all = (result.all + result.best) / static_cast<double>(pixels.size());
+  result.best /= static_cast<double>(pixels.end() - cut);
+  return result;
+}
+
 Errors errors_over(const Picture& test, const Picture& reference, const Image& flip_map,
                    const Mask& mask) {
   Errors errors;
-  double relative = 0.0, absolute = 0.0, difference = 0.0, mean = 0.0, shown = 0.0, flips = 0.0;
+  double absolute = 0.0, difference = 0.0, mean = 0.0, shown = 0.0, flips = 0.0;
   std::vector<float> distances;
   for (std::size_t i = 0; i < mask.size(); ++i) {
     if (!mask[i]) continue;
@@ -83,7 +119,6 @@ Errors errors_over(const Picture& test, const Picture& reference, const Image& f
     flips += flip_map.values[i];
     for (std::size_t c = 0; c < 3; ++c) {
       const double x = value(test.colour, i, c), r = value(reference.colour, i, c);
-      relative += square(x - r) / (square(r) + dark);
       absolute += square(x - r);
       difference += x - r;
       mean += r;
@@ -93,7 +128,9 @@ Errors errors_over(const Picture& test, const Picture& reference, const Image& f
   }
   if (errors.pixels == 0) return errors;
   const double values = 3.0 * static_cast<double>(errors.pixels);
-  errors.relmse = relative / values;
+  const Ranking ranked = ranking(test, reference, mask);
+  errors.relmse = ranked.all;
+  errors.relmse_99 = ranked.best;
   errors.rmse = std::sqrt(absolute / values);
   errors.signed_mean = difference / values;
   errors.reference_mean = mean / values;
@@ -102,6 +139,7 @@ Errors errors_over(const Picture& test, const Picture& reference, const Image& f
       shown > 0.0 ? 10.0 * std::log10(values / shown) : std::numeric_limits<double>::infinity();
   errors.flip = flips / static_cast<double>(errors.pixels);
   errors.noise = noise_of(test, reference, mask);
+  if (errors.noise) errors.noise->relmse_99 = noise_of(test, reference, ranked.kept)->relmse;
   return errors;
 }
 
@@ -170,14 +208,8 @@ void add_objects(const Picture& test, const Picture& reference, const Picture& w
 
 Image relative_map(const Image& test, const Image& reference) {
   Image map(test.width, test.height, 1);
-  for (std::size_t i = 0; i < map.values.size(); ++i) {
-    double sum = 0.0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double r = value(reference, i, c);
-      sum += square(value(test, i, c) - r) / (square(r) + dark);
-    }
-    map.values[i] = static_cast<float>(std::sqrt(sum / 3.0));
-  }
+  for (std::size_t i = 0; i < map.values.size(); ++i)
+    map.values[i] = static_cast<float>(std::sqrt(relative_square(test, reference, i)));
   return map;
 }
 
@@ -185,6 +217,11 @@ Image relative_map(const Image& test, const Image& reference) {
 
 bool noise_dominates(const Errors& errors) {
   return errors.noise && errors.noise->relmse > 0.0 && errors.noise->relmse > 0.5 * errors.relmse;
+}
+
+bool few_pixels_rule(const Errors& errors) {
+  // As a mean over all pixels, what the best 99 % of them have.
+  return 0.99 * errors.relmse_99 < 0.5 * errors.relmse;
 }
 
 Comparison compare(const Picture& test, const Picture& reference, const std::vector<int>& only) {

@@ -26,20 +26,21 @@ std::vector<std::size_t> pareto_front(std::span<const Point> points) {
   return front;
 }
 
-std::optional<Choice> choose(std::span<const Point> points, const Limit& limit) {
-  // On the front, error falls as time rises: the first that is accurate enough is the fastest that
+std::optional<Choice> choose(std::span<const Point> all, std::span<const Point> best,
+                             const Limit& limit) {
+  // On a front, error falls as time rises: the first that is accurate enough is the fastest that
   // is, and the last that is fast enough the most accurate.
-  const std::vector<std::size_t> front = pareto_front(points);
+  const std::vector<std::size_t> front = pareto_front(best);
   if (front.empty() || !limit.asked()) return std::nullopt;
   if (limit.max_error) {
-    for (const std::size_t i : front)
-      if (points[i].error <= *limit.max_error) return Choice{i, true};
+    for (const std::size_t i : pareto_front(all))
+      if (all[i].error <= *limit.max_error) return Choice{i, true};
     return Choice{front.back(), false};
   }
-  std::optional<Choice> best;
+  std::optional<Choice> chosen;
   for (const std::size_t i : front)
-    if (points[i].ms <= *limit.budget) best = Choice{i, true};
-  return best ? best : Choice{front.front(), false};
+    if (best[i].ms <= *limit.budget) chosen = Choice{i, true};
+  return chosen ? chosen : Choice{front.front(), false};
 }
 
 } // namespace gg::report

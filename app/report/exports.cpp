@@ -43,7 +43,8 @@ json to_json(const Section& s) {
                 {"command", s.truth_command}}},
               {"needs", s.needs},
               {"cells", json::array()},
-              {"front", s.front}};
+              {"front", s.front},
+              {"front_99", s.front_99}};
   for (const Cell& cell : s.cells)
     result["cells"].push_back(to_json(cell));
   if (s.choice) result["choice"] = {{"cell", s.choice->index}, {"met", s.choice->met}};
@@ -65,26 +66,30 @@ json to_json(const Report& report) {
 std::string to_csv(const Report& report) {
   std::string text =
       "scene,method,backend,device,width,height,reflected,refracted,bounced,left_over,ms_median,"
-      "ms_low_quartile,ms_high_quartile,ms_min,ms_max,frames,relmse,relmse_of_noise,rmse,signed_"
-      "mean,"
-      "p99,psnr,flip,frame_relmse,frame_flip,pixels,bytes,triangles,on_front\n";
+      "ms_low_quartile,ms_high_quartile,ms_min,ms_max,frames,relmse,relmse_99,relmse_of_noise,"
+      "pixels_within_noise,rmse,signed_mean,p99,psnr,flip,frame_relmse,frame_relmse_99,frame_flip,"
+      "pixels,bytes,triangles,on_front,on_front_99\n";
   for (const Section& s : report.sections)
     for (std::size_t i = 0; i < s.cells.size(); ++i) {
       const Cell& c = s.cells[i];
       const Spread& ms = c.timing.frame;
       const image::Errors& e = c.verdict.objects;
-      const bool on_front = std::ranges::find(s.front, i) != s.front.end();
+      const auto on = [&](const std::vector<std::size_t>& front) {
+        return std::ranges::find(front, i) != front.end() ? 1 : 0;
+      };
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},", csv_field(s.name), csv_field(c.method),
                           csv_field(c.device.backend), csv_field(c.device.name), s.width, s.height,
                           c.lookups.reflected, c.lookups.refracted, c.lookups.bounced,
                           c.lookups.left_over);
       text += fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},", ms.median, ms.low_quartile,
                           ms.high_quartile, ms.least, ms.most, ms.count);
-      text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},", e.relmse,
-                          e.noise ? e.noise->relmse : 0.0, e.rmse, e.signed_mean, e.p99, e.psnr,
-                          e.flip);
-      text += fmt::format("{:.6g},{:.6g},{},{},{},{}\n", c.verdict.frame.relmse,
-                          c.verdict.frame.flip, e.pixels, c.bytes, c.triangles, on_front ? 1 : 0);
+      text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},",
+                          e.relmse, e.relmse_99, e.noise ? e.noise->relmse : 0.0,
+                          e.noise ? e.noise->pixels_within : 0.0, e.rmse, e.signed_mean, e.p99,
+                          e.psnr, e.flip);
+      text += fmt::format("{:.6g},{:.6g},{:.6g},{},{},{},{},{}\n", c.verdict.frame.relmse,
+                          c.verdict.frame.relmse_99, c.verdict.frame.flip, e.pixels, c.bytes,
+                          c.triangles, on(s.front), on(s.front_99));
     }
   return text;
 }

@@ -40,13 +40,15 @@ double drawable(double error) {
 
 class Panel {
 public:
-  Panel(const Section& section, const Limit& limit) : section_(section), limit_(limit) {
+  Panel(const Section& section, const Limit& limit, Measure measure)
+      : section_(section), limit_(limit), measure_(measure),
+        front_(measure == Measure::all ? section.front : section.front_99) {
     double fast = INFINITY, slow = 0.0, good = INFINITY, bad = 0.0;
     for (const Cell& cell : section.cells) {
       fast = std::min(fast, cell.timing.frame.low_quartile);
       slow = std::max(slow, cell.timing.frame.high_quartile);
-      good = std::min(good, drawable(cell.verdict.objects.relmse));
-      bad = std::max(bad, drawable(cell.verdict.objects.relmse));
+      good = std::min(good, drawable(error_of(cell, measure_)));
+      bad = std::max(bad, drawable(error_of(cell, measure_)));
     }
     // Room for labels beside the outermost points.
     x_ = {std::max(fast, 1e-3) / 1.25, std::max(slow, 1e-3) * 1.7, left, width - right};
@@ -84,8 +86,9 @@ private:
         width - right);
     add(R"(<text x="{:.1f}" y="{}" text-anchor="middle">milliseconds per frame, {} x {}</text>)",
         0.5 * (left + width - right), height - 10, section_.width, section_.height);
-    add(R"svg(<text transform="translate(14 {:.1f}) rotate(-90)" text-anchor="middle">relMSE over the objects</text>)svg",
-        0.5 * (top + height - bottom));
+    add(R"svg(<text transform="translate(14 {:.1f}) rotate(-90)" text-anchor="middle">relMSE {}</text>)svg",
+        0.5 * (top + height - bottom),
+        measure_ == Measure::all ? "over the objects" : "of the best 99 % of pixels");
     add(R"(<text x="{}" y="18" font-weight="bold">{}</text>)", left, escaped(section_.name));
     legend();
   }
@@ -106,9 +109,11 @@ private:
   void lines() {
     double noise = 0.0;
     for (const Cell& cell : section_.cells)
-      if (cell.verdict.objects.noise) noise = std::max(noise, cell.verdict.objects.noise->relmse);
+      if (const auto& n = cell.verdict.objects.noise)
+        noise = std::max(noise, measure_ == Measure::all ? n->relmse : n->relmse_99);
     across(noise, "#777", "2 3", "the truth's noise");
-    if (limit_.max_error) across(*limit_.max_error, "#222", "6 3", "--max-error");
+    if (limit_.max_error && measure_ == Measure::all)
+      across(*limit_.max_error, "#222", "6 3", "--max-error");
     if (limit_.budget && *limit_.budget > x_.low && *limit_.budget < x_.high) {
       const double x = x_(*limit_.budget);
       add(R"(<path d="M{:.1f} {}V{}" stroke="#222" stroke-dasharray="6 3"/>)", x, top,
@@ -130,15 +135,14 @@ private:
 
   // What the front reaches: with more time never a larger error.
   void front() {
-    if (section_.front.empty()) return;
+    if (front_.empty()) return;
     std::string path;
     double before = top;
-    for (std::size_t k = 0; k < section_.front.size(); ++k) {
-      const auto [x, y] = at(section_.front[k]);
+    for (std::size_t k = 0; k < front_.size(); ++k) {
+      const auto [x, y] = at(front_[k]);
       path += path.empty() ? fmt::format("M{:.1f} {:.1f}V{:.1f}", x, top, y)
                            : fmt::format("H{:.1f}V{:.1f}", x, y);
-      const double until =
-          k + 1 < section_.front.size() ? at(section_.front[k + 1]).x : width - right;
+      const double until = k + 1 < front_.size() ? at(front_[k + 1]).x : width - right;
       taken_.push_back({x - 1, before, x + 1, y});
       taken_.push_back({x, y - 1, until, y + 1});
       before = y;
@@ -154,7 +158,7 @@ private:
     const char* const colour = colour_of(cell.method);
     add(R"(<g><title>{} on {}: {:.3g} ms (quartiles {:.3g} to {:.3g}), relMSE {:.3g}</title>)",
         escaped(cell.method), escaped(cell.device.backend), ms.median, ms.low_quartile,
-        ms.high_quartile, cell.verdict.objects.relmse);
+        ms.high_quartile, error_of(cell, measure_));
     add(R"(<path d="M{:.1f} {:.1f}H{:.1f}" stroke="{}" stroke-width="2"/>)",
         x_(std::max(ms.low_quartile, x_.low)), y, x_(std::max(ms.high_quartile, x_.low)), colour);
     const std::vector<std::string> all = backends();
@@ -218,8 +222,7 @@ private:
   };
   Place at(std::size_t i) const {
     const Cell& cell = section_.cells[i];
-    return {x_(std::max(cell.timing.frame.median, 1e-3)),
-            y_(drawable(cell.verdict.objects.relmse))};
+    return {x_(std::max(cell.timing.frame.median, 1e-3)), y_(drawable(error_of(cell, measure_)))};
   }
 
   std::vector<std::string> backends() const {
@@ -237,6 +240,8 @@ private:
 
   const Section& section_;
   const Limit& limit_;
+  Measure measure_;
+  const std::vector<std::size_t>& front_;
   Scale x_{}, y_{};
   std::string svg_;
   std::vector<Box> taken_;
@@ -273,8 +278,8 @@ std::vector<double> log_ticks(double low, double high) {
     if (auto coarse = ticks(every, {1.0}); coarse.size() <= most) return coarse;
 }
 
-std::string plot(const Section& section, const Limit& limit) {
-  return element(1, 1, false, Panel(section, limit).draw());
+std::string plot(const Section& section, const Limit& limit, Measure measure) {
+  return element(1, 1, false, Panel(section, limit, measure).draw());
 }
 
 std::string plots(const Report& report) {
@@ -283,10 +288,16 @@ std::string plots(const Report& report) {
   const std::size_t columns = std::min(count, across), rows = (count + columns - 1) / columns;
   std::string inside;
   for (std::size_t i = 0; i < report.sections.size(); ++i)
-    inside += fmt::format(
-        "<g transform=\"translate({} {})\">\n{}</g>\n", static_cast<double>(i % columns) * width,
-        static_cast<double>(i / columns) * height, Panel(report.sections[i], report.limit).draw());
-  return element(static_cast<double>(columns), static_cast<double>(rows), true, inside) + "\n";
+    for (const Measure measure : {Measure::all, Measure::best_99}) {
+      // A row by all pixels, and one by the best 99 % beneath it.
+      const std::size_t row = 2 * (i / columns) + (measure == Measure::all ? 0 : 1);
+      inside +=
+          fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n",
+                      static_cast<double>(i % columns) * width, static_cast<double>(row) * height,
+                      Panel(report.sections[i], report.limit, measure).draw());
+    }
+  return element(static_cast<double>(columns), 2.0 * static_cast<double>(rows), true, inside)
+         + "\n";
 }
 
 } // namespace gg::report

@@ -153,9 +153,11 @@ Section measure(const Subject& subject, const Plan& plan, const Cache& cache, De
                     subject.options, cell.method, cell.device.backend, cell.method, plan.samples);
     progress.update(static_cast<long>(i + 1));
   }
-  const std::vector<Point> points = points_of(section.cells);
-  section.front = pareto_front(points);
-  section.choice = choose(points, plan.limit);
+  const std::vector<Point> all = points_of(section.cells, Measure::all);
+  const std::vector<Point> best = points_of(section.cells, Measure::best_99);
+  section.front = pareto_front(all);
+  section.front_99 = pareto_front(best);
+  section.choice = choose(all, best, plan.limit);
   return section;
 }
 

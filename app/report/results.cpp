@@ -16,12 +16,27 @@ double quantile(const std::vector<double>& sorted, double fraction) {
   return std::lerp(sorted[below], sorted[above], at - std::floor(at));
 }
 
+json to_json(const Spread& s) {
+  return {{"median", s.median},
+          {"low_quartile", s.low_quartile},
+          {"high_quartile", s.high_quartile},
+          {"min", s.least},
+          {"max", s.most},
+          {"frames", s.count}};
+}
+
+Spread spread_from(const json& ms) {
+  return {ms.at("median"), ms.at("low_quartile"), ms.at("high_quartile"),
+          ms.at("min"),    ms.at("max"),          ms.at("frames")};
+}
+
 json to_json(const std::vector<Group>& groups) {
   json list = json::array();
   for (const Group& g : groups)
     list.push_back({{"name", g.name},
                     {"pixels", g.pixels},
                     {"relmse", g.relmse},
+                    {"relmse_99", g.relmse_99},
                     {"signed_mean", g.signed_mean},
                     {"flip", g.flip},
                     {"noise", g.noise}});
@@ -31,14 +46,15 @@ json to_json(const std::vector<Group>& groups) {
 std::vector<Group> groups_from(const json& list) {
   std::vector<Group> groups;
   for (const json& g : list)
-    groups.push_back({g.at("name"), g.at("pixels"), g.at("relmse"), g.at("signed_mean"),
-                      g.at("flip"), g.at("noise")});
+    groups.push_back({g.at("name"), g.at("pixels"), g.at("relmse"), g.at("relmse_99"),
+                      g.at("signed_mean"), g.at("flip"), g.at("noise")});
   return groups;
 }
 
 image::Errors errors_from(const json& value) {
   image::Errors e{.pixels = value.at("pixels"),
                   .relmse = value.at("relmse"),
+                  .relmse_99 = value.at("relmse_99"),
                   .rmse = value.at("rmse"),
                   .signed_mean = value.at("signed_mean"),
                   .reference_mean = value.at("reference_mean"),
@@ -48,6 +64,7 @@ image::Errors errors_from(const json& value) {
   if (!value.at("psnr").is_null()) e.psnr = value.at("psnr");
   if (const auto n = value.find("noise"); n != value.end())
     e.noise = image::Noise{.relmse = n->at("relmse"),
+                           .relmse_99 = n->at("relmse_99"),
                            .rmse = n->at("rmse"),
                            .signed_mean = n->at("signed_mean"),
                            .pixels_within = n->at("pixels_within"),
@@ -65,40 +82,37 @@ Spread spread_of(std::vector<double> values) {
           values.front(),        values.back(),          values.size()};
 }
 
-std::vector<Point> points_of(const std::vector<Cell>& cells) {
+double error_of(const Cell& cell, Measure measure) {
+  const image::Errors& e = cell.verdict.objects;
+  return measure == Measure::all ? e.relmse : e.relmse_99;
+}
+
+std::vector<Point> points_of(const std::vector<Cell>& cells, Measure measure) {
   std::vector<Point> points;
   for (const Cell& cell : cells)
-    points.push_back({cell.timing.frame.median, cell.verdict.objects.relmse});
+    points.push_back({cell.timing.frame.median, error_of(cell, measure)});
   return points;
 }
 
 json to_json(const Timing& timing) {
   json passes = json::array();
-  for (const auto& [label, ms] : timing.passes)
-    passes.push_back({{"pass", label}, {"ms", ms}});
-  const Spread& f = timing.frame;
-  return {{"ms",
-           {{"median", f.median},
-            {"low_quartile", f.low_quartile},
-            {"high_quartile", f.high_quartile},
-            {"min", f.least},
-            {"max", f.most},
-            {"frames", f.count}}},
-          {"passes", passes}};
+  for (const auto& [label, spread] : timing.passes)
+    passes.push_back({{"pass", label}, {"ms", to_json(spread)}});
+  return {{"ms", to_json(timing.frame)}, {"passes", passes}};
 }
 
 Timing timing_from(const json& value) {
-  const json& ms = value.at("ms");
-  Timing timing{.frame = {ms.at("median"), ms.at("low_quartile"), ms.at("high_quartile"),
-                          ms.at("min"), ms.at("max"), ms.at("frames")}};
+  Timing timing{.frame = spread_from(value.at("ms"))};
   for (const json& pass : value.at("passes"))
-    timing.passes.emplace_back(pass.at("pass"), pass.at("ms"));
+    timing.passes.emplace_back(pass.at("pass"), spread_from(pass.at("ms")));
   return timing;
 }
 
 json to_json(const image::Errors& e) {
   json result{{"pixels", e.pixels},
               {"relmse", e.relmse},
+              {"relmse_99", e.relmse_99},
+              {"few_pixels_rule", image::few_pixels_rule(e)},
               {"rmse", e.rmse},
               {"signed_mean", e.signed_mean},
               {"reference_mean", e.reference_mean},
@@ -107,6 +121,7 @@ json to_json(const image::Errors& e) {
               {"flip", e.flip}};
   if (e.noise)
     result["noise"] = {{"relmse", e.noise->relmse},
+                       {"relmse_99", e.noise->relmse_99},
                        {"rmse", e.noise->rmse},
                        {"signed_mean", e.noise->signed_mean},
                        {"pixels_within", e.noise->pixels_within},

@@ -27,14 +27,14 @@ Spread spread_of(std::vector<double> values);
 // and of each pass by the device's own timers, in the order of the frame.
 struct Timing {
   Spread frame;
-  std::vector<std::pair<std::string, double>> passes; // medians
+  std::vector<std::pair<std::string, Spread>> passes;
 };
 
 // Errors over the pixels of several objects together.
 struct Group {
   std::string name;
   std::size_t pixels = 0;
-  double relmse = 0.0, signed_mean = 0.0, flip = 0.0;
+  double relmse = 0.0, relmse_99 = 0.0, signed_mean = 0.0, flip = 0.0; // 99 %: of each object
   double noise = 0.0; // the part of relmse that the truth's noise explains
 };
 
@@ -73,7 +73,7 @@ struct Section {
   std::string truth_command;
   std::vector<std::string> needs; // lines; empty: nothing is known
   std::vector<Cell> cells;
-  std::vector<std::size_t> front; // Pareto front, by rising time
+  std::vector<std::size_t> front, front_99; // Pareto fronts by Measure, by rising time
   std::optional<Choice> choice;
   std::string measured; // date of the timing, ISO 8601, UTC
 };
@@ -84,8 +84,11 @@ struct Report {
   std::vector<Section> sections;
 };
 
-// The points that the front and the choice are made of: median ms, relMSE over the objects.
-std::vector<Point> points_of(const std::vector<Cell>& cells);
+// Errors to draw against time: relMSE over the objects, of all their pixels or of the best 99 %.
+enum class Measure { all, best_99 };
+double error_of(const Cell& cell, Measure measure);
+// What a front is made of, with the median of the milliseconds.
+std::vector<Point> points_of(const std::vector<Cell>& cells, Measure measure);
 
 // To and from the cache, exactly.
 nlohmann::json to_json(const Timing& timing);

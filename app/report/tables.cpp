@@ -53,8 +53,11 @@ std::string cell_name(const Section& section, const Cell& cell) {
 std::string choice_text(const Section& section, const Limit& limit) {
   if (!section.choice) return {};
   const Cell& cell = section.cells[section.choice->index];
-  const std::string is = fmt::format("{}: {:.3g} ms, relMSE {:.3g}", cell_name(section, cell),
-                                     cell.timing.frame.median, cell.verdict.objects.relmse);
+  const image::Errors& e = cell.verdict.objects;
+  std::string is = fmt::format("{}: {:.3g} ms, relMSE {:.3g}", cell_name(section, cell),
+                               cell.timing.frame.median, e.relmse);
+  if (image::few_pixels_rule(e))
+    is += fmt::format(", which few pixels rule: the best 99 % have {:.3g}", e.relmse_99);
   if (limit.max_error)
     return section.choice->met
                ? fmt::format("{} (the fastest with a relMSE of at most {:g})", is, *limit.max_error)
@@ -72,20 +75,28 @@ std::string results_table(const Section& section) {
     const Spread& ms = cell.timing.frame;
     const image::Errors& e = cell.verdict.objects;
     const bool chosen = section.choice && section.choice->index == i;
-    const bool front = std::ranges::find(section.front, i) != section.front.end();
+    const bool all = std::ranges::find(section.front, i) != section.front.end();
+    const bool best = std::ranges::find(section.front_99, i) != section.front_99.end();
     rows += chosen ? "<tr class=\"chosen\">" : "<tr>";
     rows += td(escaped(cell_name(section, cell))) + td(fmt::format("{:.2f}", ms.median))
             + td(fmt::format("{:.2f} – {:.2f}", ms.low_quartile, ms.high_quartile))
             + td(fmt::format("{:.2f} – {:.2f}", ms.least, ms.most))
-            + td(fmt::format("{:.3g}", e.relmse)) + td(fmt::format("{:.4f}", e.flip))
+            + td(fmt::format("{:.3g}", e.relmse)) + td(fmt::format("{:.3g}", e.relmse_99))
+            + td(all && best ? "both"
+                 : all       ? "relMSE"
+                 : best      ? "99 %"
+                             : "")
+            + td(fmt::format("{:.4f}", e.flip))
             + td(std::isfinite(e.psnr) ? fmt::format("{:.1f}", e.psnr) : "equal")
             + td(fmt::format("{:+.2g}", e.signed_mean)) + td(fmt::format("{:.3g}", e.p99))
+            + td(e.noise ? fmt::format("{:.0f} %", 100.0 * e.noise->pixels_within) : "")
             + td(fmt::format("{:.1f}", static_cast<double>(cell.bytes) / (1024.0 * 1024.0)))
-            + td(lookups_of(cell.lookups)) + td(front ? "on the front" : "") + "</tr>\n";
+            + td(lookups_of(cell.lookups)) + "</tr>\n";
   }
-  return table(head({"method", "ms", "quartiles", "least – most", "relMSE", "FLIP", "PSNR dB",
-                     "signed mean", "p99", "MiB", "lookups", "Pareto"}),
-               rows);
+  return table(
+      head({"method", "ms", "quartiles", "least – most", "relMSE", "best 99 %", "Pareto front",
+            "FLIP", "PSNR dB", "signed mean", "p99", "within noise", "MiB", "lookups"}),
+      rows);
 }
 
 std::string groups_table(const Section& section, Grouping grouping) {
@@ -98,11 +109,12 @@ std::string groups_table(const Section& section, Grouping grouping) {
     const Group& first = groups_of(section.cells.front())[g];
     double least = INFINITY;
     for (const Cell& cell : section.cells)
-      least = std::min(least, groups_of(cell)[g].relmse);
+      least = std::min(least, groups_of(cell)[g].relmse_99);
     rows += "<tr>" + td(escaped(first.name));
     for (const Cell& cell : section.cells) {
       const Group& group = groups_of(cell)[g];
-      rows += td(fmt::format("{:.3g}", group.relmse), group.relmse <= least);
+      rows += td(fmt::format("{:.3g} / {:.3g}", group.relmse, group.relmse_99),
+                 group.relmse_99 <= least);
     }
     rows += td(fmt::format("{:.2g}", first.noise)) + td(std::to_string(first.pixels)) + "</tr>\n";
   }
@@ -113,17 +125,27 @@ std::string groups_table(const Section& section, Grouping grouping) {
 }
 
 std::string passes_table(const Section& section) {
-  std::vector<std::string> labels; // of all methods, in the order of the frame
-  for (const Cell& cell : section.cells)
-    for (const auto& [label, ms] : cell.timing.passes)
-      if (std::ranges::find(labels, label) == labels.end()) labels.push_back(label);
+  // Of all methods, in the order of the frame: what one method has alone stands behind the pass that
+  // comes before it there.
+  std::vector<std::string> labels;
+  for (const Cell& cell : section.cells) {
+    auto at = labels.begin();
+    for (const auto& [label, spread] : cell.timing.passes) {
+      const auto found = std::ranges::find(labels, label);
+      at = found == labels.end() ? labels.insert(at, label) + 1 : found + 1;
+    }
+  }
   std::string rows;
   for (const std::string& label : labels) {
     rows += "<tr>" + td(escaped(label));
     for (const Cell& cell : section.cells) {
       const auto found =
-          std::ranges::find(cell.timing.passes, label, &std::pair<std::string, double>::first);
-      rows += td(found == cell.timing.passes.end() ? "" : fmt::format("{:.2f}", found->second));
+          std::ranges::find(cell.timing.passes, label, &std::pair<std::string, Spread>::first);
+      rows += td(found == cell.timing.passes.end()
+                     ? ""
+                     : fmt::format("{:.2f} <span class=\"quiet\">{:.2f} – {:.2f}</span>",
+                                   found->second.median, found->second.low_quartile,
+                                   found->second.high_quartile));
     }
     rows += "</tr>\n";
   }
@@ -133,20 +155,22 @@ std::string passes_table(const Section& section) {
 std::string summary_table(const Report& report) {
   std::string rows;
   for (const Section& s : report.sections) {
-    if (s.front.empty()) continue;
+    if (s.front_99.empty()) continue;
     const auto cell = [&](std::size_t i) {
       const Cell& c = s.cells[i];
-      return td(fmt::format("{}: {:.3g} ms, {:.3g}", escaped(cell_name(s, c)),
-                            c.timing.frame.median, c.verdict.objects.relmse));
+      return td(fmt::format("{}: {:.3g} ms, {:.3g} / {:.3g}", escaped(cell_name(s, c)),
+                            c.timing.frame.median, error_of(c, Measure::all),
+                            error_of(c, Measure::best_99)));
     };
     rows += "<tr>" + td(fmt::format("<a href=\"#{0}\">{0}</a>", escaped(s.name)))
-            + cell(s.front.front()) + cell(s.front.back());
+            + cell(s.front_99.front()) + cell(s.front_99.back());
     if (report.limit.asked())
       rows += s.choice ? cell(s.choice->index) + td(s.choice->met ? "" : "not within the limit")
                        : td("") + td("");
     rows += "</tr>\n";
   }
-  std::vector<std::string> names{"scene", "fastest: ms, relMSE", "most accurate"};
+  std::vector<std::string> names{"scene", "fastest: ms, relMSE / of the best 99 %",
+                                 "most accurate"};
   if (report.limit.asked()) names.insert(names.end(), {"to use", ""});
   return table(head(names), rows);
 }

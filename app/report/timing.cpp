@@ -35,7 +35,7 @@ Timing timing_of(const Timed& timed, Samples samples) {
   // A label that stands for several passes is one sum.
   for (const std::string& label : timed.renderer->pass_labels())
     if (const auto found = samples.passes.extract(label))
-      timing.passes.emplace_back(label, spread_of(found.mapped()).median);
+      timing.passes.emplace_back(label, spread_of(found.mapped()));
   return timing;
 }
 

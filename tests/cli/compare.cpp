@@ -79,6 +79,23 @@ TEST(compare_command, says_when_the_reference_is_too_noisy_and_when_it_does_not_
   EXPECT_NE(silent.out.find("does not state its standard error"), std::string::npos) << silent.out;
 }
 
+TEST(compare_command, names_the_worst_pixel_where_few_rule_the_error) {
+  image::Image test(24, 20, 3);
+  std::fill(test.values.begin(), test.values.end(), 0.6f);
+  image::write(path("even.exr"), test);
+  const std::string t = truth("truth.exr", 0.001f);
+  const Finished even = run_program({"compare", path("even.exr"), t});
+  EXPECT_EQ(even.out.find("Few pixels"), std::string::npos) << even.out;
+  for (int c = 0; c < 3; ++c)
+    test.at(17, 3, c) = 90.0f; // beside the ball
+  image::write(path("uneven.exr"), test);
+  const Finished f = run_program({"compare", path("uneven.exr"), t});
+  EXPECT_NE(f.out.find("Few pixels rule relMSE (frame)"), std::string::npos) << f.out;
+  EXPECT_NE(f.out.find("(17, 3): 90, 90, 90 where the reference has 0.5, 0.5, 0.5"),
+            std::string::npos)
+      << f.out;
+}
+
 TEST(compare_command, an_8_bit_picture_against_radiance_is_remarked_on) {
   const Finished f =
       run_program({"compare", constant("test.png", 24, 0.5f), constant("reference.exr", 24, 0.5f)});

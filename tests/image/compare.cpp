@@ -136,6 +136,52 @@ TEST(compare, p99_leaves_out_one_in_a_hundred) {
   EXPECT_EQ(image::compare(picture(test), picture(Image(10, 10, 3))).frame.p99, 1.0);
 }
 
+TEST(compare, best_99_percent_leave_out_the_worst_hundredth_of_the_pixels_and_no_more) {
+  // Of 250 pixels two are off by 9, three by .3, the others by .1; black, so errors are squares over
+  // 0.01.
+  Image test = constant(25, 10, 0.1f, 0.1f, 0.1f);
+  const auto set = [&](int x, float v) {
+    for (int c = 0; c < 3; ++c)
+      test.at(x, 4, c) = v;
+  };
+  for (const int x : {7, 19})
+    set(x, 9.0f);
+  for (const int x : {2, 3, 24})
+    set(x, 0.3f);
+  const Picture black = picture(Image(25, 10, 3));
+  const Errors e = image::compare(picture(test), black).frame;
+  EXPECT_NEAR(e.relmse, (2 * 8100.0 + 3 * 9.0 + 245.0) / 250.0, 1e-4);
+  EXPECT_NEAR(e.relmse_99, (3 * 9.0 + 245.0) / 248.0, rounding);
+  EXPECT_TRUE(image::few_pixels_rule(e));
+
+  set(7, 0.1f);
+  set(19, 0.1f);
+  const Errors even = image::compare(picture(test), black).frame;
+  EXPECT_NEAR(even.relmse_99, (9.0 + 247.0) / 248.0, rounding);
+  EXPECT_FALSE(image::few_pixels_rule(even));
+  // Of fewer than a hundred pixels none is left out.
+  const Errors few =
+      image::compare(picture(constant(3, 3, 0.1f, 0.2f, 0.3f)), picture(Image(3, 3, 3))).frame;
+  EXPECT_EQ(few.relmse_99, few.relmse);
+  EXPECT_FALSE(image::few_pixels_rule(few));
+}
+
+TEST(noise, of_the_best_99_percent_is_that_of_the_pixels_that_are_left) {
+  // The wildest pixel of the reference is the one that is left out.
+  Picture reference = picture(Image(10, 10, 3));
+  reference.standard_error = constant(10, 10, 0.01f, 0.01f, 0.01f);
+  Image test(10, 10, 3);
+  for (int c = 0; c < 3; ++c) {
+    reference.standard_error->at(6, 2, c) = 5.0f;
+    test.at(6, 2, c) = 7.0f;
+  }
+  const Errors e = image::compare(picture(test), reference).frame;
+  ASSERT_TRUE(e.noise);
+  EXPECT_NEAR(e.noise->relmse, 25.0 / 0.01 / 100.0 + 0.0099, 1e-4);
+  EXPECT_NEAR(e.noise->relmse_99, 0.01, rounding);
+  EXPECT_EQ(e.relmse_99, 0.0);
+}
+
 TEST(compare, objects_leave_out_the_pixels_that_they_only_touch) {
   const Image black(12, 8, 3);
   Picture reference = picture(black);

@@ -84,7 +84,8 @@ class Chromium:
         # Out of the way of 3 and 4 before they become those.
         ours = [fcntl.fcntl(fd, fcntl.F_DUPFD, 10) for fd in (to_browser, from_browser)]
         self.process = subprocess.Popen(
-            ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--remote-debugging-pipe",
+            ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--no-first-run", "--disable-sync",
+             "--disable-background-networking", "--disable-component-update", "--disable-quic", "--remote-debugging-pipe",
              f"--user-data-dir={profile}"],
             preexec_fn=lambda: (os.dup2(ours[0], 3), os.dup2(ours[1], 4)), close_fds=False, stderr=subprocess.DEVNULL)
         for fd in (to_browser, from_browser, *ours):

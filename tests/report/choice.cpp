@@ -25,7 +25,7 @@ TEST(pareto_front, has_the_first_of_equal_points_and_none_that_is_not_finite) {
 
 TEST(choice, is_the_fastest_within_the_error) {
   const std::vector<Point> points{{1, 0.9}, {3, 0.05}, {8, 0.01}};
-  const auto within = [&](double error) { return choose(points, {.max_error = error}); };
+  const auto within = [&](double error) { return choose(points, points, {.max_error = error}); };
   EXPECT_EQ(within(0.05)->index, 1u); // a limit that is reached exactly is met
   EXPECT_TRUE(within(0.05)->met);
   EXPECT_EQ(within(1.0)->index, 0u);
@@ -35,7 +35,7 @@ TEST(choice, is_the_fastest_within_the_error) {
 
 TEST(choice, is_the_most_accurate_within_the_budget) {
   const std::vector<Point> points{{1, 0.9}, {3, 0.05}, {4, 0.2}, {8, 0.01}};
-  const auto within = [&](double ms) { return choose(points, {.budget = ms}); };
+  const auto within = [&](double ms) { return choose(points, points, {.budget = ms}); };
   EXPECT_EQ(within(5)->index, 1u); // what is slower and worse is never chosen
   EXPECT_EQ(within(8)->index, 3u);
   EXPECT_TRUE(within(8)->met);
@@ -43,10 +43,20 @@ TEST(choice, is_the_most_accurate_within_the_budget) {
   EXPECT_FALSE(within(0.5)->met);
 }
 
+TEST(choice, of_the_most_accurate_is_not_by_the_worst_hundredth_of_the_pixels) {
+  // By all pixels the fastest looks best, for one that it happens to have right.
+  const std::vector<Point> all{{1, 800}, {3, 866}, {8, 865}}, best{{1, 0.9}, {3, 0.05}, {8, 0.01}};
+  EXPECT_EQ(choose(all, best, {.budget = 5})->index, 1u); // by all pixels, 0
+  const auto nearest = choose(all, best, {.max_error = 0.1});
+  EXPECT_EQ(nearest->index, 2u);
+  EXPECT_FALSE(nearest->met); // the limit is one of all pixels
+  EXPECT_EQ(choose(all, best, {.max_error = 900})->index, 0u);
+}
+
 TEST(choice, is_nothing_if_nothing_is_asked_or_there_is_nothing) {
   const std::vector<Point> points{{1, 0.9}};
-  EXPECT_FALSE(choose(points, {}));
-  EXPECT_FALSE(choose({}, {.budget = 1.0}));
+  EXPECT_FALSE(choose(points, points, {}));
+  EXPECT_FALSE(choose({}, {}, {.budget = 1.0}));
 }
 
 TEST(spread, has_the_quantiles_of_its_values_in_any_order) {

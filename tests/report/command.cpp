@@ -118,6 +118,7 @@ TEST(report_command, names_what_is_wrong_with_its_options) {
   expect_refusal({"--methods", "lobes1,lobes1"}, 2, "--methods");
   expect_refusal({"--backend", "metal"}, 2, "metal");
   expect_refusal({"--frames", "0"}, 2, "--frames");
+  expect_refusal({"--max-error", "0"}, 2, "--max-error");
   expect_refusal({"--budget", "-1"}, 2, "--budget");
   expect_refusal({"--max-error", "nan"}, 2, "--max-error");
   expect_refusal({"--budget", "5", "--max-error", "0.1"}, 2, "--budget");

@@ -24,13 +24,14 @@ Cell cell(const std::string& method, const std::string& backend, double ms, doub
          .bytes = 1 << 20,
          .triangles = 12,
          .timing = {.frame = {ms, 0.9 * ms, 1.1 * ms, 0.8 * ms, 2.0 * ms, 10},
-                    .passes = {{"opaque", 0.7 * ms}}},
-         .verdict = {.by_class = {{"metal", 40, error, 0.01, 0.1, 0.001}},
-                     .by_roughness = {{"to .1", 40, error, 0.01, 0.1, 0.001}}},
+                    .passes = {{"opaque", {0.7 * ms, 0.6 * ms, 0.8 * ms, 0.5 * ms, ms, 10}}}},
+         .verdict = {.by_class = {{"metal", 40, error, 0.7 * error, 0.01, 0.1, 0.001}},
+                     .by_roughness = {{"to .1", 40, error, 0.7 * error, 0.01, 0.1, 0.001}}},
          .picture = "data:image/webp;base64,QUJD",
          .flip = "data:image/webp;base64,QUJE",
          .command = "groundglass capture 'a <scene>.glb'"};
   c.verdict.objects.relmse = error;
+  c.verdict.objects.relmse_99 = 0.7 * error;
   c.verdict.objects.psnr = 30.0;
   c.verdict.frame = c.verdict.objects;
   return c;
@@ -46,8 +47,10 @@ Report report() {
             .truth = "data:image/webp;base64,QUJF",
             .cells = {cell("standard", "opengl", 2.0, 0.5), cell("lobes2", "opengl", 4.0, 0.01),
                       cell("standard", "vulkan", 3.0, 0.5)}};
-  s.front = pareto_front(points_of(s.cells));
-  s.choice = choose(points_of(s.cells), {.max_error = 0.1});
+  const auto all = points_of(s.cells, Measure::all), best = points_of(s.cells, Measure::best_99);
+  s.front = pareto_front(all);
+  s.front_99 = pareto_front(best);
+  s.choice = choose(all, best, {.max_error = 0.1});
   return {.version = "0",
           .command = "groundglass report",
           .limit = {.max_error = 0.1},
@@ -82,17 +85,65 @@ TEST(page, shows_every_method_and_names_the_choice) {
   const std::string html = page(report());
   for (const char* part :
        {"standard on opengl", "lobes2 on opengl", "standard on vulkan",
-        "the fastest with a relMSE of at most 0.1", "on the front", "metal", "to .1", "opaque"})
+        "the fastest with a relMSE of at most 0.1", "<td>both</td>", "metal", "to .1", "opaque"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
+}
+
+TEST(page, shows_how_times_of_passes_spread) {
+  EXPECT_EQ(count(page(report()), "2.80 <span class=\"quiet\">2.40 – 3.20</span>"), 1u);
+}
+
+TEST(page, says_where_few_pixels_rule_the_error_and_where_noise_does) {
+  const auto has = [](const Report& r, const char* text) {
+    return page(r).find(text) != std::string::npos;
+  };
+  Report r = report();
+  EXPECT_FALSE(has(r, "One pixel in a hundred"));
+  EXPECT_FALSE(has(r, "own noise for"));
+  image::Errors& lobes2 = r.sections[0].cells[1].verdict.objects;
+  lobes2.relmse = 866.0;
+  lobes2.relmse_99 = 0.123;
+  lobes2.noise = image::Noise{.relmse = 500.0, .pixels_within = 0.37};
+  for (const char* text :
+       {"One pixel in a hundred carries more than half of the relMSE for: "
+        "lobes2 on opengl. ",
+        "own noise for: lobes2 on opengl. ", "<td>866</td><td>0.123</td>", "<td>37 %</td>"})
+    EXPECT_TRUE(has(r, text)) << text;
+}
+
+TEST(page, lists_passes_in_the_order_of_the_frame_whichever_method_has_them) {
+  Report r = report();
+  r.sections[0].cells[0].timing.passes = {{"opaque", {}}, {"refractive", {}}};
+  r.sections[0].cells[1].timing.passes = {{"opaque", {}}, {"interior", {}}, {"refractive", {}}};
+  const std::string html = page(r);
+  const auto at = [&](const char* pass) { return html.find(std::string("<td>") + pass + "</td>"); };
+  EXPECT_LT(at("opaque"), at("interior"));
+  EXPECT_LT(at("interior"), at("refractive"));
 }
 
 TEST(page, of_a_report_of_nothing_is_a_page) {
   EXPECT_NE(page({}).find("</html>"), std::string::npos);
 }
 
+TEST(plot, of_the_best_99_percent_has_their_errors_and_their_front) {
+  Report r = report();
+  Section& s = r.sections.front();
+  s.cells[1].verdict.objects.relmse = 866.0; // one pixel: by all, the slower method is the worse
+  s.front = pareto_front(points_of(s.cells, Measure::all));
+  EXPECT_EQ(s.front, (std::vector<std::size_t>{0}));
+  EXPECT_EQ(s.front_99, (std::vector<std::size_t>{0, 1}));
+  const std::string all = plot(s, {}, Measure::all), best = plot(s, {}, Measure::best_99);
+  EXPECT_EQ(count(all, "relMSE 866"), 1u);
+  EXPECT_EQ(count(best, "relMSE 866"), 0u);
+  EXPECT_EQ(count(best, "relMSE 0.007"), 1u);
+  EXPECT_EQ(count(best, "best 99 %"), 1u);
+  EXPECT_EQ(count(page(r), "<td>99 %</td>"), 1u);
+  EXPECT_EQ(count(plots(r), "class=\"front\""), 2u);
+}
+
 TEST(plot, has_a_point_and_an_error_bar_per_cell_and_the_front) {
   const Report r = report();
-  const std::string svg = plot(r.sections.front(), r.limit);
+  const std::string svg = plot(r.sections.front(), r.limit, Measure::all);
   EXPECT_EQ(count(svg, "<title>"), 3u);
   EXPECT_EQ(count(svg, "class=\"front\""), 1u);
   EXPECT_EQ(count(svg, "--max-error"), 1u);
@@ -104,7 +155,7 @@ TEST(plot, of_equal_pictures_and_of_one_point_has_finite_axes) {
   Report r = report();
   r.sections.front().cells = {cell("standard", "opengl", 0.0, 0.0)};
   r.sections.front().front = {0};
-  const std::string svg = plot(r.sections.front(), r.limit);
+  const std::string svg = plot(r.sections.front(), r.limit, Measure::all);
   EXPECT_EQ(svg.find("nan"), std::string::npos) << svg;
   EXPECT_EQ(svg.find("inf"), std::string::npos) << svg;
 }
@@ -136,7 +187,7 @@ TEST(plot, labels_find_room_for_themselves) {
   for (const char* name : {"standard", "lobes1", "lobes2", "lobes3", "lobes4", "fis16", "fis32"})
     cells.push_back(cell(name, "opengl", 4.0 + 0.001 * static_cast<double>(cells.size()), 0.01));
   crowded.sections[0].front = {0};
-  const std::string svg = plot(crowded.sections[0], crowded.limit);
+  const std::string svg = plot(crowded.sections[0], crowded.limit, Measure::all);
   struct Label {
     double x, y;
   };
@@ -178,7 +229,10 @@ TEST(exports, json_has_every_number_and_verdicts_survive_it_exactly) {
   EXPECT_EQ(first.at("ms").at("median"), 2.0);
   EXPECT_EQ(first.at("passes").at(0).at("pass"), "opaque");
   EXPECT_EQ(json.at("scenes").at(0).at("choice").at("cell"), 1);
-  const Verdict v = report().sections.front().cells.front().verdict;
+  EXPECT_EQ(first.at("passes").at(0).at("ms").at("high_quartile"), 1.6);
+  EXPECT_EQ(first.at("errors").at("objects").at("relmse_99"), 0.35);
+  Verdict v = report().sections.front().cells.front().verdict;
+  v.objects.noise = image::Noise{.relmse = 0.1, .relmse_99 = 0.05};
   EXPECT_EQ(to_json(verdict_from(to_json(v))), to_json(v));
   Verdict equal = v; // an infinite PSNR has no number in JSON
   equal.objects.psnr = INFINITY;

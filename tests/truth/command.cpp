@@ -112,7 +112,9 @@ TEST(truth_command, refuses_what_it_cannot_do_before_working) {
       {{"-o", out("a.png")}, 2},
       {{"-o", out("a.exr"), "--spp", "1"}, 2},
       {{"-o", out("a.exr"), "--spp", "8", "--error", "0.1"}, 2},
+      {{"-o", out("a.exr"), "--spp", "0"}, 2},
       {{"-o", out("a.exr"), "--error", "-1"}, 2},
+      {{"-o", out("a.exr"), "--error", "0"}, 2},
       {{"-o", out("a.exr"), "--smith", "jones"}, 2},
       {{"-o", out("nowhere/a.exr")}, 5},
   };
