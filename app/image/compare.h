@@ -59,7 +59,7 @@ struct Errors {
 bool noise_dominates(const Errors& errors);
 
 // True if the worst 1 % of the pixels carry more than half of relMSE: then it tells of them (a lamp
-// beside black, off by a pixel), and relmse_99 of the picture.
+// where the reference has none), and relmse_99 of the picture.
 bool few_pixels_rule(const Errors& errors);
 
 struct Comparison {

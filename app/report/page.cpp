@@ -114,9 +114,10 @@ std::string remarks(const Section& s) {
     html += paragraph("More than half of the relMSE is the truth's own noise for: " + noisy
                       + ". For more, ask for a truth of more samples.");
   if (!uneven.empty())
-    html += paragraph("One pixel in a hundred carries more than half of the relMSE for: " + uneven
-                      + ". It tells of those pixels alone, such as a lamp beside black that is off "
-                        "by a pixel; what the other 99 % have tells of the picture.");
+    html += paragraph(
+        "One pixel in a hundred carries more than half of the relMSE for: " + uneven
+        + ". It tells of those pixels alone, such as a lamp in a mirror that glass between them "
+          "should bend away; what the other 99 % have tells of the picture.");
   return html;
 }
 

@@ -34,6 +34,11 @@ std::vector<std::string> column_names(const Section& section, const std::string&
   return names;
 }
 
+std::string times(const Spread& ms) {
+  return fmt::format("{:.2f} <span class=\"quiet\">{:.2f} – {:.2f}</span>", ms.median,
+                     ms.low_quartile, ms.high_quartile);
+}
+
 // Reflected, refracted, after total reflection and of what is left over: "1 + 2 + 1 + 1"; without
 // glass the first alone.
 std::string lookups_of(const needs::Lookups& l) {
@@ -72,15 +77,12 @@ std::string results_table(const Section& section) {
   std::string rows;
   for (std::size_t i = 0; i < section.cells.size(); ++i) {
     const Cell& cell = section.cells[i];
-    const Spread& ms = cell.timing.frame;
     const image::Errors& e = cell.verdict.objects;
     const bool chosen = section.choice && section.choice->index == i;
     const bool all = std::ranges::find(section.front, i) != section.front.end();
     const bool best = std::ranges::find(section.front_99, i) != section.front_99.end();
     rows += chosen ? "<tr class=\"chosen\">" : "<tr>";
-    rows += td(escaped(cell_name(section, cell))) + td(fmt::format("{:.2f}", ms.median))
-            + td(fmt::format("{:.2f} – {:.2f}", ms.low_quartile, ms.high_quartile))
-            + td(fmt::format("{:.2f} – {:.2f}", ms.least, ms.most))
+    rows += td(escaped(cell_name(section, cell))) + td(times(cell.timing.frame))
             + td(fmt::format("{:.3g}", e.relmse)) + td(fmt::format("{:.3g}", e.relmse_99))
             + td(all && best ? "both"
                  : all       ? "relMSE"
@@ -93,10 +95,9 @@ std::string results_table(const Section& section) {
             + td(fmt::format("{:.1f}", static_cast<double>(cell.bytes) / (1024.0 * 1024.0)))
             + td(lookups_of(cell.lookups)) + "</tr>\n";
   }
-  return table(
-      head({"method", "ms", "quartiles", "least – most", "relMSE", "best 99 %", "Pareto front",
-            "FLIP", "PSNR dB", "signed mean", "p99", "within noise", "MiB", "lookups"}),
-      rows);
+  return table(head({"method", "ms, quartiles", "relMSE", "best 99 %", "Pareto front", "FLIP",
+                     "PSNR dB", "signed mean", "p99", "within noise", "MiB", "lookups"}),
+               rows);
 }
 
 std::string groups_table(const Section& section, Grouping grouping) {
@@ -141,11 +142,7 @@ std::string passes_table(const Section& section) {
     for (const Cell& cell : section.cells) {
       const auto found =
           std::ranges::find(cell.timing.passes, label, &std::pair<std::string, Spread>::first);
-      rows += td(found == cell.timing.passes.end()
-                     ? ""
-                     : fmt::format("{:.2f} <span class=\"quiet\">{:.2f} – {:.2f}</span>",
-                                   found->second.median, found->second.low_quartile,
-                                   found->second.high_quartile));
+      rows += td(found == cell.timing.passes.end() ? "" : times(found->second));
     }
     rows += "</tr>\n";
   }
