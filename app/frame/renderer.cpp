@@ -3,6 +3,7 @@
 #include "environment/stack.h"
 #include "uniforms/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -31,6 +32,12 @@ needs::View view_of(const FrameDesc& desc) {
     view.environment =
         bytes(stack->even->desc) + bytes(stack->odd->desc) + bytes(stack->irradiance->desc);
   return view;
+}
+
+// Samples lie up to half a pixel off.
+uniforms::RegionData region_of(const needs::Region& region, const FrameDesc& desc, double depth) {
+  const glm::dvec2 pixel(2.0 / desc.width, 2.0 / desc.height);
+  return {glm::vec4(region.box.low - pixel, region.box.high + pixel), glm::vec4(glm::dvec4(depth))};
 }
 
 tables::DeviceTables upload_tables(gpu::Device& device, const needs::Needs& needs) {
@@ -76,6 +83,7 @@ void Renderer::make_targets() {
                       needs_.target("backdrop depth") != nullptr);
   if (const needs::Target* interior = needs_.target("interior"))
     interior_.emplace(device_, desc_.width, desc_.height, interior->layers / 2);
+  if (needs_.target("geometry")) geometry_.emplace(device_, desc_.width, desc_.height);
 }
 
 void Renderer::make_frame_blocks() {
@@ -139,6 +147,12 @@ Renderer::Recorded Renderer::recorded(const DrawPass& pass, const needs::LayerDr
 
 void Renderer::make_records() {
   const DrawPass opaque{.label = "opaque", .fragment = "opaque.frag", .colors = {color_format}};
+  // Once more over the opaque picture, which shows what there is to reflect.
+  const DrawPass reflective{.label = "reflective",
+                            .fragment = "opaque.frag",
+                            .colors = {color_format},
+                            .depth_write = false,
+                            .constants = {gpu::constant(looks_around, true)}};
   const DrawPass blended{.label = "blended",
                          .fragment = "opaque.frag",
                          .colors = {color_format},
@@ -162,32 +176,24 @@ void Renderer::make_records() {
   by_region.fragment = "refractive_region.frag";
   by_region.depth_write = false;
   by_region.depth_compare = gpu::Compare::less_equal;
-  // Once more over the opaque picture, which shows what there is to reflect.
-  const DrawPass reflective{.label = "reflective",
-                            .fragment = "opaque.frag",
-                            .colors = {color_format},
-                            .depth_write = false,
-                            .constants = {gpu::constant(looks_around, true)}};
+  std::vector<uniforms::RegionData> regions;
+  make_opaque_regions(regions);
   for (const needs::Draw* draw : needs_.opaque)
     opaque_.push_back(recorded(opaque, {draw, needs::Faces::as_material}));
   for (const needs::Draw* draw : needs_.reflective)
     reflective_.push_back(recorded(reflective, {draw, needs::Faces::as_material}));
   for (const needs::LayerDraw& draw : needs_.over_opaque)
     over_opaque_.push_back(recorded(blended, draw));
-  // Samples lie up to half a pixel off.
-  const glm::dvec2 pixel(2.0 / desc_.width, 2.0 / desc_.height);
-  std::vector<uniforms::RegionData> regions;
   for (const needs::Layer& layer : needs_.layers) {
-    std::vector<RecordedRegion>& recorded_regions = layer_regions_.emplace_back();
+    RecordedRegions& recorded_regions = layer_regions_.emplace_back();
     for (const needs::Region& region : layer.regions) {
       const needs::Draw& draw = *region.draws.front();
       RecordedRegion& own = recorded_regions.emplace_back(
           RecordedRegion{{}, &draw, draws_.pipeline(by_region, draw), regions.size()});
       for (const needs::Draw* part : region.draws)
-        own.hides.push_back(recorded(hides, {part, needs::Faces::front}));
+        own.first.push_back(recorded(hides, {part, needs::Faces::front}));
       regions.push_back(
-          {glm::vec4(region.box.low - pixel, region.box.high + pixel),
-           glm::vec4(glm::dvec4(region.box.farthest_depth * (1.0 - depth_rounding)))});
+          region_of(region, desc_, region.box.farthest_depth * (1.0 - depth_rounding)));
     }
     Records& records = layers_.emplace_back();
     for (const needs::LayerDraw& draw : layer.refractive)
@@ -213,6 +219,36 @@ void Renderer::make_records() {
                           .blend = gpu::Blend::add});
 }
 
+void Renderer::make_opaque_regions(std::vector<uniforms::RegionData>& regions) {
+  const DrawPass geometry{
+      .label = "geometry", .fragment = "geometry.frag", .colors = {GeometryBuffer::texel_format}};
+  const DrawPass deferred{.label = "deferred",
+                          .by_region = true,
+                          .fragment = "opaque_region.frag",
+                          .colors = {color_format},
+                          .depth_write = false,
+                          .depth_compare = gpu::Compare::equal};
+  DrawPass reflective = deferred;
+  reflective.label = "deferred reflective";
+  reflective.constants = {gpu::constant(looks_around, true)};
+  for (const needs::Region& region : needs_.opaque_regions) {
+    const needs::Draw& draw = *region.draws.front();
+    RecordedRegion& own = opaque_regions_.emplace_back(
+        RecordedRegion{{}, &draw, draws_.pipeline(deferred, draw), regions.size()});
+    for (const needs::Draw* part : region.draws)
+      own.first.push_back(recorded(geometry, {part, needs::Faces::as_material}));
+    if (std::ranges::find(needs_.reflective_regions, &region) != needs_.reflective_regions.end())
+      reflective_regions_.push_back({{}, &draw, draws_.pipeline(reflective, draw), regions.size()});
+    regions.push_back(region_of(region, desc_, GeometryBuffer::region_depth(regions.size())));
+  }
+  if (needs_.opaque_regions.empty()) return;
+  needs::Region all = needs_.opaque_regions.front();
+  for (const needs::Region& region : needs_.opaque_regions)
+    grow(all.box, region.box);
+  all_opaque_regions_ = regions.size();
+  regions.push_back(region_of(all, desc_, 0.0));
+}
+
 void Renderer::begin(gpu::Encoder& encoder, int sample) const {
   encoder.buffer("Frame", frames_.buffer, frames_.offset(static_cast<std::size_t>(sample)),
                  frames_.size);
@@ -225,10 +261,34 @@ void Renderer::record(gpu::Encoder& encoder, const Records& records) const {
     draws_.record(encoder, pipeline, *draw, cull);
 }
 
+void Renderer::bind_region(gpu::Encoder& encoder, std::size_t block) const {
+  encoder.buffer("Region", regions_.buffer, regions_.offset(block), regions_.size);
+}
+
+void Renderer::shade(gpu::Encoder& encoder, const RecordedRegion& region) const {
+  bind_region(encoder, region.block);
+  draws_.record_region(encoder, region.pipeline, *region.draw);
+}
+
+gpu::Pass Renderer::geometry_pass(int sample) const {
+  return {.label = "geometry",
+          .colors = {geometry_->texels()},
+          .depth = gpu::DepthTarget{.view = gpu::whole(depth_), .clear = 0.0f},
+          .record = [this, sample](gpu::Encoder& encoder) {
+            begin(encoder, sample);
+            for (const RecordedRegion& region : opaque_regions_) {
+              bind_region(encoder, region.block);
+              record(encoder, region.first);
+            }
+          }};
+}
+
 gpu::Pass Renderer::opaque_pass(int sample) const {
+  gpu::DepthTarget depth{.view = gpu::whole(depth_)};
+  if (!geometry_) depth.clear = 0.0f;
   return {.label = "opaque",
           .colors = {{.view = gpu::whole(color_), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}}},
-          .depth = gpu::DepthTarget{.view = gpu::whole(depth_), .clear = 0.0f},
+          .depth = depth,
           .reads = sampled(),
           .record = [this, sample](gpu::Encoder& encoder) {
             begin(encoder, sample);
@@ -237,6 +297,37 @@ gpu::Pass Renderer::opaque_pass(int sample) const {
               encoder.use(sky_);
               encoder.draw(3);
             }
+            if (!geometry_) record(encoder, over_opaque_); // else once all is there
+          }};
+}
+
+gpu::Pass Renderer::material_depth_pass() const {
+  return geometry_->material_depth_pass(
+      depth_, [this](gpu::Encoder& encoder) { bind_region(encoder, all_opaque_regions_); });
+}
+
+gpu::Pass Renderer::deferred_pass(int sample) const {
+  gpu::Pass pass{.label = "deferred",
+                 .colors = {{.view = gpu::whole(color_)}},
+                 .depth = geometry_->material_depth(),
+                 .reads = sampled(),
+                 .record = [this, sample](gpu::Encoder& encoder) {
+                   begin(encoder, sample);
+                   geometry_->bind(encoder);
+                   for (const RecordedRegion& region : opaque_regions_)
+                     shade(encoder, region);
+                 }};
+  pass.reads.push_back(geometry_->sampled());
+  return pass;
+}
+
+gpu::Pass Renderer::over_opaque_pass(int sample) const {
+  return {.label = "blended",
+          .colors = {{.view = gpu::whole(color_)}},
+          .depth = gpu::DepthTarget{.view = gpu::whole(depth_)},
+          .reads = sampled(),
+          .record = [this, sample](gpu::Encoder& encoder) {
+            begin(encoder, sample);
             record(encoder, over_opaque_);
           }};
 }
@@ -251,6 +342,24 @@ gpu::Pass Renderer::reflective_pass(int sample) const {
                    backdrop_->bind(encoder);
                    record(encoder, reflective_);
                  }};
+  for (const gpu::View& view : backdrop_->sampled())
+    pass.reads.push_back(view);
+  return pass;
+}
+
+gpu::Pass Renderer::deferred_reflective_pass(int sample) const {
+  gpu::Pass pass{.label = "reflective",
+                 .colors = {{.view = gpu::whole(color_)}},
+                 .depth = geometry_->material_depth(),
+                 .reads = sampled(),
+                 .record = [this, sample](gpu::Encoder& encoder) {
+                   begin(encoder, sample);
+                   backdrop_->bind(encoder);
+                   geometry_->bind(encoder);
+                   for (const RecordedRegion& region : reflective_regions_)
+                     shade(encoder, region);
+                 }};
+  pass.reads.push_back(geometry_->sampled());
   for (const gpu::View& view : backdrop_->sampled())
     pass.reads.push_back(view);
   return pass;
@@ -280,10 +389,9 @@ gpu::Pass Renderer::layer_pass(const needs::Pass& of, int sample) const {
     begin(encoder, sample);
     if (layer.shows_behind()) backdrop_->bind(encoder);
     if (!layer.solids.empty()) interior_->bind(encoder);
-    for (const auto& [hides, draw, pipeline, block] : regions) {
-      record(encoder, hides);
-      encoder.buffer("Region", regions_.buffer, regions_.offset(block), regions_.size);
-      draws_.record_region(encoder, pipeline, *draw);
+    for (const RecordedRegion& region : regions) {
+      record(encoder, region.first);
+      shade(encoder, region);
     }
     record(encoder, records);
   };
@@ -305,8 +413,16 @@ gpu::Pass Renderer::accumulate_pass(int sample) const {
 
 gpu::Pass Renderer::made(const needs::Pass& pass, int sample) {
   switch (pass.kind) {
+  case needs::PassKind::geometry:
+    return geometry_pass(sample);
   case needs::PassKind::opaque:
     return opaque_pass(sample);
+  case needs::PassKind::material_depth:
+    return material_depth_pass();
+  case needs::PassKind::deferred:
+    return deferred_pass(sample);
+  case needs::PassKind::over_opaque:
+    return over_opaque_pass(sample);
   case needs::PassKind::backdrop:
     return backdrop_->copy_pass(color_, depth_, pass.takes_depth);
   case needs::PassKind::foreground:
@@ -317,6 +433,8 @@ gpu::Pass Renderer::made(const needs::Pass& pass, int sample) {
     return backdrop_->level_pass(pass.part);
   case needs::PassKind::reflective:
     return reflective_pass(sample);
+  case needs::PassKind::deferred_reflective:
+    return deferred_reflective_pass(sample);
   case needs::PassKind::interior:
     return interior_pass(pass, sample);
   case needs::PassKind::layer:

@@ -3,6 +3,7 @@
 
 #include "frame/backdrop.h"
 #include "frame/draws.h"
+#include "frame/geometry_buffer.h"
 #include "frame/interior.h"
 #include "frame/uploaded_scene.h"
 #include "gpu/device.h"
@@ -69,21 +70,30 @@ private:
   };
   using Records = std::vector<Recorded>;
   struct RecordedRegion {
-    Records hides; // its front faces, into the depth
+    Records first; // its draws, before it is shaded: into the depth or the geometry buffer
     const needs::Draw* draw;
     gpu::PipelineRef pipeline;
     std::size_t block; // of regions_
   };
+  using RecordedRegions = std::vector<RecordedRegion>;
   void make_targets();
   void make_frame_blocks();
   void make_records();
+  void make_opaque_regions(std::vector<uniforms::RegionData>& regions);
   void make_passes();
   Recorded recorded(const DrawPass& pass, const needs::LayerDraw& draw);
   void begin(gpu::Encoder& encoder, int sample) const; // binds what every draw reads
   void record(gpu::Encoder& encoder, const Records& records) const;
+  void bind_region(gpu::Encoder& encoder, std::size_t block) const;
+  void shade(gpu::Encoder& encoder, const RecordedRegion& region) const;
   gpu::Pass made(const needs::Pass& pass, int sample);
+  gpu::Pass geometry_pass(int sample) const;
   gpu::Pass opaque_pass(int sample) const;
+  gpu::Pass material_depth_pass() const;
+  gpu::Pass deferred_pass(int sample) const;
+  gpu::Pass over_opaque_pass(int sample) const;
   gpu::Pass reflective_pass(int sample) const;
+  gpu::Pass deferred_reflective_pass(int sample) const;
   gpu::Pass interior_pass(const needs::Pass& pass, int sample);
   gpu::Pass layer_pass(const needs::Pass& pass, int sample) const;
   gpu::Pass accumulate_pass(int sample) const;
@@ -102,10 +112,13 @@ private:
   gpu::PipelineRef sky_, accumulate_;
   Records opaque_, over_opaque_, reflective_;
   std::vector<Records> layers_; // in the order in which they are drawn
-  UniformArray regions_;        // of all layers
-  std::vector<std::vector<RecordedRegion>> layer_regions_;
+  UniformArray regions_;        // of the opaque surfaces and of all layers
+  RecordedRegions opaque_regions_, reflective_regions_;
+  std::size_t all_opaque_regions_ = 0; // where they are together, in regions_
+  std::vector<RecordedRegions> layer_regions_;
   std::optional<Backdrop> backdrop_;
   std::optional<Interior> interior_;
+  std::optional<GeometryBuffer> geometry_;
   std::vector<std::vector<gpu::Pass>> passes_; // by sample
 };
 

@@ -43,8 +43,8 @@ struct Draw {
   std::vector<Map> maps;
   std::size_t index_count = 0;
   bool mirrored = false, both_sides = false;
-  // Glass whose first layer of the inside holds all that its shading takes from the mesh: drawn by the pixels that it covers
-  // (stages/refractive_region.frag), not by its triangles.
+  // Shaded by the pixels that show it, not by its triangles: glass whose first layer of the inside holds all that its shading takes
+  // from the mesh (stages/refractive_region.frag), and opaque meshes so fine that it pays (stages/opaque_region.frag).
   bool by_pixel = false;
   // Glass that makes an image of its own close by, as lenses do: what looks at it from behind other glass finds its light there.
   // What is flat and convex shows the world behind it where that is.

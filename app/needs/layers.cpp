@@ -16,13 +16,6 @@ bool same_solid(const Draw& a, const Draw& b) {
   return a.instance_index == b.instance_index && a.material_index == b.material_index;
 }
 
-void grow(ScreenBox& box, const ScreenBox& other) {
-  box.low = glm::min(box.low, other.low);
-  box.high = glm::max(box.high, other.high);
-  box.nearest_depth = std::max(box.nearest_depth, other.nearest_depth);
-  box.farthest_depth = std::min(box.farthest_depth, other.farthest_depth);
-}
-
 std::vector<Item> items_of(const std::vector<Draw>& draws, const glm::dmat4& clip_from_world) {
   std::vector<Item> items;
   for (const Draw& draw : draws) {
@@ -82,6 +75,13 @@ ScreenBox screen_box(const scene::Bounds& bounds, const glm::dmat4& clip_from_wo
     box.farthest_depth = std::min(box.farthest_depth, clip.z / clip.w);
   }
   return box;
+}
+
+void grow(ScreenBox& box, const ScreenBox& other) {
+  box.low = glm::min(box.low, other.low);
+  box.high = glm::max(box.high, other.high);
+  box.nearest_depth = std::max(box.nearest_depth, other.nearest_depth);
+  box.farthest_depth = std::min(box.farthest_depth, other.farthest_depth);
 }
 
 std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& clip_from_world,

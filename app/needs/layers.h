@@ -25,8 +25,9 @@ struct ScreenBox {
   bool overlaps(const ScreenBox& other) const;
 };
 ScreenBox screen_box(const scene::Bounds& bounds, const glm::dmat4& clip_from_world);
+void grow(ScreenBox& box, const ScreenBox& other); // to hold the other too
 
-// A solid that is drawn by its pixels: its draws, of one instance and one material.
+// What is shaded by its pixels: draws of one material, of glass those of one instance (a solid).
 struct Region {
   std::vector<const Draw*> draws;
   ScreenBox box;

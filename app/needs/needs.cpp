@@ -1,8 +1,10 @@
 #include "needs/needs.h"
 
+#include "needs/regions.h"
 #include "uniforms/blocks.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace gg::needs {
 namespace {
@@ -30,13 +32,18 @@ bool reflects_company(const Draw& draw) {
 }
 
 void sort_opaque(Needs& needs) {
+  std::vector<const Draw*> draws;
   for (const Draw& draw : needs.draws.all)
-    if (draw.role == Role::opaque) needs.opaque.push_back(&draw);
-  std::ranges::stable_sort(needs.opaque, std::less{},
-                           [](const Draw* draw) { return draw->distance; });
-  if (needs.company)
-    std::ranges::copy_if(needs.opaque, std::back_inserter(needs.reflective),
-                         [](const Draw* draw) { return reflects_company(*draw); });
+    if (draw.role == Role::opaque) draws.push_back(&draw);
+  std::ranges::stable_sort(draws, std::less{}, [](const Draw* draw) { return draw->distance; });
+  const auto fine = std::ranges::stable_partition(draws, std::not_fn(&Draw::by_pixel));
+  needs.opaque_regions = opaque_regions_of({fine.begin(), fine.end()}, needs.view);
+  needs.opaque.assign(draws.begin(), fine.begin());
+  if (!needs.company) return;
+  std::ranges::copy_if(needs.opaque, std::back_inserter(needs.reflective),
+                       [](const Draw* draw) { return reflects_company(*draw); });
+  for (const Region& region : needs.opaque_regions)
+    if (reflects_company(*region.draws.front())) needs.reflective_regions.push_back(&region);
 }
 
 void sort_layers(Needs& needs) {
@@ -74,7 +81,7 @@ std::vector<Target> targets_of(const Needs& needs) {
   std::vector<Target> targets{target("scene color", Texel::rgba32f),
                               target("scene depth", Texel::depth32f)};
   if (needs.view.samples > 1) targets.push_back(target("average", Texel::rgba32f));
-  bool shows = false, blurs = !needs.reflective.empty();
+  bool shows = false, blurs = needs.reflects();
   int pairs = 0;
   for (const Layer& layer : needs.layers) {
     shows = shows || layer.shows_behind();
@@ -88,6 +95,10 @@ std::vector<Target> targets_of(const Needs& needs) {
   if (pairs > 0) {
     targets.push_back(target("interior", Texel::rgba32ui, 2 * pairs));
     targets.push_back(target("interior depth", Texel::depth32f));
+  }
+  if (!needs.opaque_regions.empty()) {
+    targets.push_back(target("geometry", Texel::rgba32ui));
+    targets.push_back(target("material depth", Texel::depth32f));
   }
   return targets;
 }
@@ -143,7 +154,8 @@ std::vector<Share> memory_of(const Needs& needs) {
     maps += bytes_of(image);
   for (const Target& target : needs.targets)
     targets += bytes_of(target);
-  std::size_t regions = 0;
+  // One more for where all opaque ones are.
+  std::size_t regions = needs.opaque_regions.empty() ? 0 : needs.opaque_regions.size() + 1;
   for (const Layer& layer : needs.layers)
     regions += layer.regions.size();
   const std::size_t blocks =
@@ -190,6 +202,7 @@ Needs needs_of(const scene::Scene& scene, const View& view) {
   needs.sky = view.environment.has_value();
   needs.company = needs.sky && needs.draws.all.size() > 1 && view.method != Method::standard;
   if (view.method != Method::standard) needs.walls = walls_of(scene, needs.draws);
+  mark_fine(needs.draws.all, view);
   needs.bounds = bounds_of(needs.draws.all, scene.bounds);
   sort_opaque(needs);
   sort_layers(needs);

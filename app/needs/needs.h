@@ -39,12 +39,15 @@ struct Needs {
   const scene::Scene* scene = nullptr;
   View view;
   Draws draws;
-  std::vector<const Draw*> opaque;     // near to far: the depth test then spares hidden shading
+  // Near to far: the depth test then spares hidden shading.
+  std::vector<const Draw*> opaque;     // shaded by their triangles
+  std::vector<Region> opaque_regions;  // of one material each, shaded by their pixels
   std::vector<const Draw*> reflective; // of these, what shows things that stand about it
-  std::vector<LayerDraw> over_opaque;  // blended surfaces with no glass behind them
-  std::vector<Layer> layers;           // the farthest first, each with glass in it or behind it
-  bool company = false;                // reflections can meet other things
-  std::vector<Wall> walls;             // that they can meet where the picture ends
+  std::vector<const Region*> reflective_regions;
+  std::vector<LayerDraw> over_opaque; // blended surfaces with no glass behind them
+  std::vector<Layer> layers;          // the farthest first, each with glass in it or behind it
+  bool company = false;               // reflections can meet other things
+  std::vector<Wall> walls;            // that they can meet where the picture ends
   bool sky = false;
   scene::Bounds bounds; // of what is drawn, in the world: beyond it no ray meets anything
 
@@ -56,6 +59,7 @@ struct Needs {
   std::vector<Share> memory;
   Lookups lookups;
 
+  bool reflects() const { return !reflective.empty() || !reflective_regions.empty(); }
   std::size_t triangle_count() const;                  // per sample, each draw once
   std::size_t bytes() const;                           // of `memory` together
   const Target* target(const std::string& name) const; // null: there is none

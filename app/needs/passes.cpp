@@ -60,6 +60,56 @@ public:
            .writes = {"screen pyramid " + std::to_string(level)}});
   }
 
+  // What is shaded by its pixels leaves its depth first, so that it hides what else there is, and the pixels where that does not
+  // hide it are shaded last.
+  void add_opaque() {
+    const bool by_pixel = !needs_.opaque_regions.empty();
+    if (by_pixel) {
+      std::size_t draws = 0;
+      for (const Region& region : needs_.opaque_regions)
+        draws += region.draws.size();
+      add({.kind = PassKind::geometry,
+           .label = "geometry",
+           .draws = draws,
+           .writes = {"geometry", "scene depth"}});
+    }
+    add({.kind = PassKind::opaque,
+         .label = "opaque",
+         .draws = needs_.opaque.size() + (by_pixel ? 0 : needs_.over_opaque.size()),
+         .reads = uploads(),
+         .writes = {"scene color", "scene depth"}});
+    if (!by_pixel) return;
+    add({.kind = PassKind::material_depth,
+         .label = "material depth",
+         .reads = {"geometry", "scene depth"},
+         .writes = {"material depth"}});
+    add({.kind = PassKind::deferred,
+         .label = "deferred",
+         .draws = needs_.opaque_regions.size(),
+         .reads = uploads_and({"geometry", "material depth"}),
+         .writes = {"scene color"}});
+    if (!needs_.over_opaque.empty())
+      add({.kind = PassKind::over_opaque,
+           .label = "blended",
+           .draws = needs_.over_opaque.size(),
+           .reads = uploads(),
+           .writes = {"scene color"}});
+  }
+
+  void add_reflective() {
+    add_backdrop(0, true, 0);
+    Pass pass{.kind = PassKind::reflective,
+              .label = "reflective",
+              .draws = needs_.reflective.size(),
+              .reads = uploads_and({"screen pyramid", "backdrop depth"}),
+              .writes = {"scene color"}};
+    if (pass.draws > 0) add(pass);
+    pass.kind = PassKind::deferred_reflective;
+    pass.draws = needs_.reflective_regions.size();
+    pass.reads.insert(pass.reads.begin(), {"geometry", "material depth"});
+    if (pass.draws > 0) add(pass);
+  }
+
   void add_interior(std::size_t l) {
     static constexpr const char* faces[] = {"F1", "B1", "F2", "B2"};
     const Layer& layer = needs_.layers[l];
@@ -123,19 +173,8 @@ private:
 
 std::vector<Pass> passes_of(const Needs& needs) {
   List list(needs);
-  list.add({.kind = PassKind::opaque,
-            .label = "opaque",
-            .draws = needs.opaque.size() + needs.over_opaque.size(),
-            .reads = list.uploads(),
-            .writes = {"scene color", "scene depth"}});
-  if (!needs.reflective.empty()) {
-    list.add_backdrop(0, true, 0);
-    list.add({.kind = PassKind::reflective,
-              .label = "reflective",
-              .draws = needs.reflective.size(),
-              .reads = list.uploads_and({"screen pyramid", "backdrop depth"}),
-              .writes = {"scene color"}});
-  }
+  list.add_opaque();
+  if (needs.reflects()) list.add_reflective();
   for (std::size_t l = 0; l < needs.layers.size(); ++l) {
     const Layer& layer = needs.layers[l];
     if (layer.shows_behind()) list.add_backdrop(l, layer.blurs, layer.foreground.size());

@@ -1,8 +1,9 @@
-// region.glsl: the part of the picture that one solid is in. One text for GLSL and C++ (app/uniforms/blocks.h).
+// region.glsl: a part of the picture that is shaded by its pixels. One text for GLSL and C++ (app/uniforms/blocks.h).
 
 struct RegionData {
     vec4 box;  // clip coordinates over w: left, bottom, right, top
-    vec4 back; // x: the farthest depth of what is in it; y, z, w: none
+    vec4 back; // x: of glass the farthest depth of what is in it, of opaque surfaces a number of its own (material_depth.frag);
+               // y, z, w: none
 };
 
 #ifndef __cplusplus

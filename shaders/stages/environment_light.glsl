@@ -49,7 +49,8 @@ EnvironmentLight environmentLobe(Surface s) {
     vec3 reflectance = lobeMeanRgb(energy, materialFresnel(s, energy.cos1), materialFresnel(s, energy.cos2));
 
     EnvironmentLight light;
-    light.edge = edgeShare(meanOf(materialFresnel(s, 1.0)), meanOf(reflectance));
+    // At a constant angle Fresnel's branches would ask for the material's numbers alone (of_pixel.glsl).
+    light.edge = edgeShare(meanOf(materialFresnel(s, ofPixel(1.0))), meanOf(reflectance));
     if (method == 0) light.tap = fetchStandardTap(lobeTable, s.wo, s.n, s.alpha);
     else light.tap = fetchLobeTapOf(lobeTable, 0, lobeTaps, s.wo, s.n, s.alpha, light.edge);
     light.weight = s.occlusion * energy.albedo * reflectance;

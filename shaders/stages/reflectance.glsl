@@ -18,7 +18,8 @@ struct SchlickPair {
 
 SchlickPair dielectricSchlick(Surface s) {
     // glTF: an ior of 0 stands for reflecting everything.
-    float f0 = material.surface.w > 0.0 ? fresnelNormalIncidence(material.surface.w) : 1.0;
+    float ior = ofPixel(material.surface.w);
+    float f0 = ior > 0.0 ? fresnelNormalIncidence(ior) : 1.0;
     SchlickPair pair;
     pair.f0 = min(f0 * s.specularColor, vec3(1.0)) * s.specular;
     pair.f90 = s.specular;

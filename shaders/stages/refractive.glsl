@@ -21,7 +21,7 @@ vec4 refractiveColor(vec4 base) {
     bool twice = !seenFromWithin || gl_FrontFacing;
     vec3 tint = through * (twice ? s.baseColor : sqrt(s.baseColor));
     vec3 radiance = s.emissive;
-    float ior = material.surface.w;
+    float ior = ofPixel(material.surface.w); // tables and composition branch on it
     WeightedBeam mirror = noBeam(s.position, s.n);
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);

@@ -1,4 +1,4 @@
-// region.vert: the part of the picture that one solid is in, as two triangles that face the viewer, at its far end.
+// region.vert: the part of the picture that a region is in, as two triangles that face the viewer, at a depth of its own.
 #version 450
 #include "interface/region.glsl"
 

@@ -63,7 +63,7 @@ scene::Scene square_with_map(scene::Material material, scene::Slot scene::Materi
 } // namespace
 
 TEST(needs, an_opaque_scene_has_one_pass) {
-  const scene::Scene scene = ball(dielectric(0.5f));
+  const scene::Scene scene = box(dielectric(0.5f));
   const Needs needs = needs::needs_of(scene, view());
   EXPECT_EQ(labels(needs), Labels{"opaque"});
   EXPECT_EQ(needs.targets.size(), 2u);
@@ -135,15 +135,15 @@ TEST(needs, taps_are_those_of_the_method) {
 }
 
 TEST(needs, only_what_shines_in_company_is_drawn_again_for_what_it_reflects) {
-  scene::Scene scene = ball(metal(0.2f));
+  scene::Scene scene = box(metal(0.2f));
   EXPECT_EQ(labels(needs::needs_of(scene, view())), Labels{"opaque"}) << "alone";
-  add(scene, ball(dielectric(0.9f)), at({1.5f, 0, 0}));
+  add(scene, box(dielectric(0.9f)), at({1.5f, 0, 0}));
   const Needs needs = needs::needs_of(scene, view());
   EXPECT_EQ(labels(needs), (Labels{"opaque", "backdrop", "pyramid", "reflective"}));
   EXPECT_EQ(needs.reflective.size(), 1u);
 
-  scene::Scene dull = ball(dielectric(0.9f));
-  add(dull, ball(dielectric(0.9f)), at({1.5f, 0, 0}));
+  scene::Scene dull = box(dielectric(0.9f));
+  add(dull, box(dielectric(0.9f)), at({1.5f, 0, 0}));
   EXPECT_EQ(labels(needs::needs_of(dull, view())), Labels{"opaque"});
 }
 
@@ -284,11 +284,63 @@ TEST(needs, what_stands_before_glass_is_its_foreground_and_what_stands_behind_is
 TEST(needs, blended_surfaces_without_glass_behind_them_take_no_pass) {
   scene::Material veil = dielectric(0.9f);
   veil.alpha_mode = scene::AlphaMode::blend;
-  scene::Scene scene = ball(dielectric(0.9f));
+  scene::Scene scene = box(dielectric(0.9f));
   add(scene, square(veil), at({0, 0, 2}));
   const Needs needs = needs::needs_of(scene, view());
   EXPECT_EQ(labels(needs), Labels{"opaque"});
   EXPECT_EQ(needs.over_opaque.size(), 1u);
+}
+
+// 36,480 triangles.
+TEST(needs, a_fine_mesh_is_shaded_by_its_pixels_and_a_coarse_one_by_its_triangles) {
+  const scene::Scene scene = ball(dielectric(0.5f));
+  const Needs small = needs::needs_of(scene, view());
+  EXPECT_EQ(labels(small), (Labels{"geometry", "opaque", "material depth", "deferred"}));
+  EXPECT_TRUE(small.opaque.empty());
+  ASSERT_EQ(small.opaque_regions.size(), 1u);
+  EXPECT_NE(small.target("geometry"), nullptr);
+
+  // The ball's box is 2.4 of 5 high: 16 pixels per triangle are passed at about 1,600 high.
+  needs::View large = view();
+  large.width = large.height = 1200;
+  EXPECT_FALSE(needs::needs_of(scene, large).opaque_regions.empty());
+  large.width = large.height = 2400;
+  const Needs coarse = needs::needs_of(scene, large);
+  EXPECT_EQ(labels(coarse), Labels{"opaque"});
+  EXPECT_EQ(coarse.target("geometry"), nullptr);
+}
+
+// Depth and normal are all that is kept of the mesh, and without light there is nothing to save.
+TEST(needs, what_takes_more_from_its_mesh_is_shaded_by_its_triangles) {
+  scene::Material masked = metal(0.2f), veil = metal(0.2f);
+  masked.alpha_mode = scene::AlphaMode::mask;
+  veil.alpha_mode = scene::AlphaMode::blend;
+  scene::Scene colored = ball(metal(0.2f)), mapped = ball(dielectric(0.5f));
+  colored.meshes[0].primitives[0].colors = colored.meshes[0].primitives[0].tangents;
+  mapped.images = {std::make_shared<image::Image8>(
+      image::Image8{.width = 1, .height = 1, .rgba = {9, 9, 9, 9}})};
+  mapped.textures = {{.image = 0}};
+  mapped.materials[0].metallic_roughness_map.texture = 0;
+  for (const scene::Scene& scene :
+       {ball(masked), ball(veil), ball(unlit(glm::vec3(1.0f))), colored, mapped})
+    EXPECT_EQ(labels(needs::needs_of(scene, view())), Labels{"opaque"});
+}
+
+TEST(needs, fine_meshes_of_one_material_share_a_region_and_are_shaded_again_where_they_shine) {
+  const scene::Scene one = ball(metal(0.2f));
+  scene::Scene scene = one;
+  scene.instances.push_back({.mesh = 0, .name = "again"});
+  scene.instances.back().world = at({1.5f, 0, 0});
+  add(scene, ball(dielectric(0.9f)), at({-1.5f, 0, 0}));
+  add(scene, box(metal(0.2f)), at({0, 2, 0}));
+  const Needs needs = needs::needs_of(scene, view());
+  EXPECT_EQ(labels(needs), (Labels{"geometry", "opaque", "material depth", "deferred", "backdrop",
+                                   "pyramid", "reflective", "reflective"}));
+  ASSERT_EQ(needs.opaque_regions.size(), 2u);
+  EXPECT_EQ(needs.opaque_regions[0].draws.size() + needs.opaque_regions[1].draws.size(), 3u);
+  EXPECT_EQ(needs.opaque.size(), 1u);
+  EXPECT_EQ(needs.reflective.size(), 1u);
+  EXPECT_EQ(needs.reflective_regions.size(), 1u);
 }
 
 TEST(needs, a_map_that_cannot_matter_is_not_uploaded) {

@@ -34,7 +34,7 @@ TEST(view, nothing_of_what_is_left_out_falls_on_the_picture) {
 }
 
 TEST(view, leaves_out_what_is_beside_it_and_behind_the_eye) {
-  scene::Scene scene = ball(metal(0.2f));
+  scene::Scene scene = box(metal(0.2f));
   for (const glm::vec3 at : {glm::vec3(50, 0, 0), glm::vec3(0, -50, 0), glm::vec3(0, 0, 20)})
     add(scene, ball(glass(0.2f)), glm::translate(glm::mat4(1.0f), at));
   const needs::View view{.camera = camera_at({0, 0, 6}), .samples = 1, .environment = 0};

@@ -1,0 +1,13 @@
+// material_depth.frag: gives each pixel of the G-buffer (geometry.frag) that nothing hides the depth of its material's region, so
+// that the test for equal depth, which comes before shading, finds its pixels and no others.
+#version 450
+
+layout(binding = 8) uniform usampler2D geometry;
+layout(binding = 9) uniform sampler2D sceneDepth;
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    uvec4 texel = texelFetch(geometry, at, 0);
+    bool seen = uintBitsToFloat(texel.x) == texelFetch(sceneDepth, at, 0).x;
+    gl_FragDepth = seen ? uintBitsToFloat(texel.w) : 0.0;
+}

@@ -1,0 +1,24 @@
+// opaque.glsl: what an opaque (or masked, or blended) surface sends to the viewer.
+// Frame    world, metres.
+// Needs    interface/{frame,lights,material}.glsl, stages/material_features.glsl, the inputs of opaque.vert.
+// Returns  opaqueColor: linear radiance, premultiplied by the coverage in w. base: surfaceBaseColor().
+#include "stages/surface.glsl"
+#include "stages/reflectance.glsl"
+#include "stages/punctual_lights.glsl"
+#include "stages/environment.glsl"
+#include "stages/surroundings.glsl"
+#include "stages/environment_light.glsl"
+#include "stages/importance.glsl"
+
+vec4 opaqueColor(vec4 base) {
+    float coverage = alphaMode == 2 ? base.w : 1.0;
+    if (shading == 0) return vec4(base.xyz * coverage, coverage);
+    Surface s = readSurface(base);
+    vec3 radiance = s.emissive;
+    if (hasEnvironment) {
+        if (method >= 100) radiance += sampledLight(s, method - 100);
+        else radiance += environmentLight(s);
+    }
+    if (hasLights) radiance += punctualLight(s);
+    return vec4(radiance * coverage, coverage);
+}

@@ -1,0 +1,32 @@
+// opaque_region.frag: opaque surfaces of one material, by the pixels that show them (geometry.frag, material_depth.frag): deferred
+// shading [Deering88]. Triangles of a fine mesh are smaller than the blocks of pixels that machines shade, which would shade most
+// pixels several times.
+// Limits   no maps and no colours of vertices: the G-buffer holds depth and normal.
+#version 450
+#include "interface/frame.glsl"
+#include "interface/lights.glsl"
+#include "interface/material.glsl"
+#include "refraction/exit_surface.glsl"
+#include "stages/material_features.glsl"
+
+layout(binding = 28) uniform usampler2D geometry;
+
+layout(location = 0) out vec4 outColor;
+
+// What opaque.vert would have sent.
+vec3 inPosition;
+vec3 inNormal;
+const vec4 inTangent = vec4(0.0);
+const vec4 inColor = vec4(1.0);
+const vec4 inUv01 = vec4(0.0);
+const vec4 inUv23 = vec4(0.0);
+
+#include "stages/opaque.glsl"
+
+void main() {
+    uvec4 texel = texelFetch(geometry, ivec2(gl_FragCoord.xy), 0);
+    InteriorView view = interiorView(frame.clipFromWorld, frame.worldFromClip, frame.picture.xy);
+    inPosition = interiorWorld(view, gl_FragCoord.xy, uintBitsToFloat(texel.x));
+    inNormal = octDecode(vec2(uintBitsToFloat(texel.y), uintBitsToFloat(texel.z))); // on the viewer's side already
+    outColor = opaqueColor(surfaceBaseColor());
+}
