@@ -108,7 +108,9 @@ void Renderer::make_frame_blocks() {
                  backdrop_ ? backdrop_->last_level() : 0};
     f.boundsLow = glm::vec4(needs_.bounds.low, 0.0f);
     f.boundsHigh = glm::vec4(needs_.bounds.high, 0.0f);
-    f.part = glm::vec4(glm::vec3(uniforms::beam_part(i, desc_.samples)), 0.0f);
+    // Of a square of 1 / samples of the pixel's area: a twelfth of that.
+    f.part = glm::vec4(glm::vec3(uniforms::beam_part(i, desc_.samples)),
+                       1.0f / (12.0f * static_cast<float>(desc_.samples)));
     f.counts = {static_cast<int>(needs_.scene->lights.size()),
                 static_cast<int>(needs_.walls.size()), 0, 0};
     for (std::size_t w = 0; w < needs_.walls.size(); ++w) {

@@ -25,10 +25,12 @@ vec3 multiplyScattered(Surface s, float albedo, vec3 meanFresnel) {
 
 // What arrives along a reflected direction: with company, what the picture shows where it meets that.
 vec3 reflectedRadiance(Surface s, vec3 direction, float sigma) {
-    if (!looksAround) return farRadiance(direction, sigma);
+    Beam beam = straightBeam(s.position, direction, sigma);
+    beam.turn = s.turn;
+    if (!looksAround) return farRadiance(direction, seenSigma(beam));
     // The surface itself stands in the depth that is searched: begin two of its pixels off it.
     float pixel = (ofPixel(frame.eye.w) > 0.0 ? length(s.position - frame.eye.xyz) : 1.0) / frame.picture.z;
-    Beam beam = partOf(straightBeam(s.position, direction, sigma));
+    beam = partOf(beam);
     beam.direction -= 2.0 * min(dot(beam.direction, s.n), 0.0) * s.n; // nothing comes from below: a wide part is folded up
     beam.origin += 2.0 * pixel * (s.n + beam.direction);
     return beamRadiance(beam, meetBackdrop(beam.origin, beam.direction, beam.sigma, false));

@@ -358,6 +358,6 @@ vec3 glassRadiance(GlassBeams beams, WeightedBeam mirror) {
         if (group == 3 && wanted.z == 0.0) ++group;
     }
     if (largest(mirror.weight) > 0.0)
-        sum += (1.0 - wanted.y) * mirror.weight * farRadiance(mirror.beam.direction, mirror.beam.sigma);
+        sum += (1.0 - wanted.y) * mirror.weight * farRadiance(mirror.beam.direction, seenSigma(mirror.beam));
     return sum + (1.0 - wanted.z) * beams.leftOver.weight * wideRadiance(beams.leftOver.beam.direction);
 }

@@ -36,7 +36,9 @@ vec3 sampledGlass(Surface s, float ior, GlassBeams beams, int n) {
         float weight = facetThrough(wo, inner, wm, s.alpha, ior) * facetThrough(back, outer, wm2, there.alpha, there.eta);
         vec3 beside = inside * (d - beams.inner);
         beside -= dot(beside, leaving.n) * leaving.n;
-        sum += weight * beamRadiance(straightBeam(beams.core.beam.origin + beside, exit * outer, sigma), meeting);
+        Beam beam = straightBeam(beams.core.beam.origin + beside, exit * outer, sigma);
+        beam.turn = beams.core.beam.turn;
+        sum += weight * beamRadiance(beam, meeting);
     }
     return absorption * sum / float(n);
 }

@@ -27,13 +27,14 @@ vec4 refractiveColor(vec4 base) {
         EnvironmentLight light = environmentLobe(s);
         LobeTap tap = mergedTap(s, light);
         mirror.beam = straightBeam(s.position, tap.direction, tap.sigma);
+        mirror.beam.turn = s.turn;
         mirror.weight = light.weight;
         radiance += light.diffuse;
     }
     if (indexIsOne) {
-        radiance += tint * throughNothing() + mirror.weight * farRadiance(mirror.beam.direction, mirror.beam.sigma);
+        radiance += tint * throughNothing() + mirror.weight * farRadiance(mirror.beam.direction, seenSigma(mirror.beam));
     } else if (method == 0) {
-        radiance += tint * throughStandard(s, ior) + mirror.weight * farRadiance(mirror.beam.direction, mirror.beam.sigma);
+        radiance += tint * throughStandard(s, ior) + mirror.weight * farRadiance(mirror.beam.direction, seenSigma(mirror.beam));
     } else {
         // Where the index depends on the wavelength each channel goes its own way.
         int ways = disperses ? 3 : 1;
@@ -44,6 +45,9 @@ vec4 refractiveColor(vec4 base) {
             GlassBeams beams;
             if (twice) beams = throughTwoFaces(s, own);
             else beams = outOfSolid(s, own);
+            beams.core.beam.turn = turnOverPixel(beams.core.beam.direction);
+            beams.rest.beam.turn = beams.core.beam.turn;
+            beams.bounced.beam.turn = turnOverPixel(beams.bounced.beam.direction);
             beams.core.weight *= tint;
             beams.rest.weight *= tint;
             beams.bounced.weight *= tint;

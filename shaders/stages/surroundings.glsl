@@ -20,6 +20,7 @@ struct Beam {
     float inner;   // sigma that it had inside, radians
     float carried; // of sigma, what came with it
     float inside;  // metres that it ran inside
+    float turn;    // variance of its direction over what is seen of the pixel, radians²: part of every lookup, not of the light
 };
 
 // A beam that comes from a point, not from within glass.
@@ -31,6 +32,7 @@ Beam straightBeam(vec3 origin, vec3 direction, float sigma) {
     beam.inner = 0.0;
     beam.carried = 0.0;
     beam.inside = 0.0;
+    beam.turn = 0.0;
     return beam;
 }
 
@@ -293,6 +295,8 @@ vec3 wideRadiance(vec3 direction) {
     return frame.environment.z * environmentIrradiance(irradianceCube, frame.stack, inEnvironment(direction));
 }
 
+float seenSigma(Beam beam) { return sqrt(beam.sigma * beam.sigma + beam.turn); }
+
 // Radiance that arrives along the beam. `meeting`: of its centre, or of another beam of nearly the same origin and direction.
 vec3 beamRadiance(Beam beam, Meeting meeting) {
     float share = 0.0;
@@ -303,10 +307,12 @@ vec3 beamRadiance(Beam beam, Meeting meeting) {
     if (meeting.seen && clip.w > 0.0) {
         vec3 fromEye = ends ? place.xyz - frame.eye.xyz : beam.direction;
         float range = length(fromEye);
-        float metres = ends ? sqrt(beamVariance(beam.sigma, beam.carried, beam.inner, beam.inside, meeting.distance)) : 0.0;
+        float apart = meeting.distance * meeting.distance * beam.turn;
+        float metres =
+            ends ? sqrt(beamVariance(beam.sigma, beam.carried, beam.inner, beam.inside, meeting.distance) + apart) : 0.0;
         float pixels; // sigma
         if (ofPixel(frame.eye.w) > 0.0) {
-            pixels = (ends ? metres / range : beam.sigma) * pixelsPerRadian(frame.picture.z, min(clip.w / range, 1.0));
+            pixels = (ends ? metres / range : seenSigma(beam)) * pixelsPerRadian(frame.picture.z, min(clip.w / range, 1.0));
         } else {
             // An orthographic camera sees one direction of the sky only: the rest is the environment's business.
             pixels = metres * frame.picture.z;
@@ -328,5 +334,5 @@ vec3 beamRadiance(Beam beam, Meeting meeting) {
         }
     }
     if (share >= 0.999) return near; // what is left, a thousandth, is below what 8 bits show
-    return mix(farRadiance(beam.direction, beam.sigma), near, share);
+    return mix(farRadiance(beam.direction, seenSigma(beam)), near, share);
 }

@@ -153,4 +153,35 @@ TEST_P(Render, mirror_ball_shows_each_direction_where_the_law_of_reflection_puts
   }
 }
 
+// One sample of a mirror or a lens that turns by more than the lamp is wide from pixel to pixel must not meet or miss it by chance:
+// what the whole picture gets of it is then a matter of luck. Gaussians of the pixel's variance, a pixel apart, sum to 1.9 at
+// its centre and to .4 at its corners.
+TEST_P(Render, a_lamp_smaller_than_a_pixel_of_a_curved_surface_is_neither_lost_nor_multiplied) {
+  const double lamp = std::cos(0.012); // radians; a pixel of the balls turns the ray by .1 and more
+  const auto sky = environment_of(1024, [&](glm::dvec3 d) {
+    return glm::dvec3(glm::dot(d, glm::normalize(glm::dvec3(0.5, 0.3, 0.8))) > lamp ? 1000.0 : 0.0);
+  });
+  const auto light = [&](const scene::Scene& scene, int samples, float turn) {
+    frame::FrameDesc desc = small(camera_at({0, 0, 4}));
+    desc.width = desc.height = 48;
+    desc.samples = samples;
+    desc.method = frame::Method::lobes2;
+    desc.environment.rotation = turn;
+    const image::Image picture = draw(scene, {sky, desc});
+    double sum = 0.0;
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = 0; x < picture.width; ++x)
+        sum += static_cast<double>(picture.at(x, y, 1));
+    return sum;
+  };
+  for (const bool mirror : {true, false}) {
+    const scene::Scene scene = ball(mirror ? metal(0.0f) : glass(0.0f));
+    for (const float turn : {0.05f, 0.1f}) {
+      const double truth = light(scene, 64, turn), one = light(scene, 1, turn);
+      EXPECT_GT(one, 0.35 * truth) << (mirror ? "mirror " : "glass ") << turn;
+      EXPECT_LT(one, 2.0 * truth) << (mirror ? "mirror " : "glass ") << turn;
+    }
+  }
+}
+
 } // namespace gg::test
