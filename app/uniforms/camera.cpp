@@ -90,11 +90,11 @@ glm::dvec2 sample_position(int i, int count) {
   return {(i + 0.5) / count - 0.5, radical_inverse(i, 2) + 0.5 / count - 0.5};
 }
 
-glm::dvec3 beam_part(int i, int count) {
+glm::dvec3 beam_part(int i, int count, double least) {
   if (count < 3) return {0.0, 0.0, 1.0};
   // The spiral's points stand about sqrt(2 pi / N) sigma apart. A part as wide as that would do for
   // what is smooth; lamps show as beads up to 1.3 times that, which is what 16 samples have here.
-  const double kept = 1.0 / std::sqrt(count);
+  const double kept = std::max(1.0 / std::sqrt(count), least);
   std::vector<glm::dvec2> points = spiral(count);
   whiten(points, 1.0 - kept);
   // Neighbours on the spiral must not be neighbours in the pixel: in the order of a base that the
