@@ -34,13 +34,6 @@ needs::View view_of(const FrameDesc& desc) {
   return view;
 }
 
-// Of a lobe's variance so much stays in each sample's lookups. The pyramid's levels have a little of a tail, parts of a Gaussian have
-// none: a single tap, which has no other, would miss it (rough slabs: relMSE .009 where all is kept, .014 with a half, .018 with a
-// quarter).
-double least_kept(needs::Method method) {
-  return needs::taps_of(method) == 1 ? 0.5 : 0.25;
-}
-
 // Samples lie up to half a pixel off.
 uniforms::RegionData region_of(const needs::Region& region, const FrameDesc& desc, double depth) {
   const glm::dvec2 pixel(2.0 / desc.width, 2.0 / desc.height);
@@ -116,7 +109,7 @@ void Renderer::make_frame_blocks() {
     f.boundsLow = glm::vec4(needs_.bounds.low, 0.0f);
     f.boundsHigh = glm::vec4(needs_.bounds.high, 0.0f);
     // Of a square of 1 / samples of the pixel's area: a twelfth of that.
-    f.part = glm::vec4(glm::vec3(uniforms::beam_part(i, desc_.samples, least_kept(desc_.method))),
+    f.part = glm::vec4(glm::vec3(uniforms::beam_part(i, desc_.samples)),
                        1.0f / (12.0f * static_cast<float>(desc_.samples)));
     f.counts = {static_cast<int>(needs_.scene->lights.size()),
                 static_cast<int>(needs_.walls.size()), 0, 0};

@@ -23,8 +23,7 @@ glm::dvec2 sample_position(int i, int count);
 // The part of every beam of light that the i-th of `count` samples of a pixel stands for, as
 // shaders/refraction/beam_part.glsl has it: xy in sigmas, z the share of the width kept. Over all
 // samples xy has the mean 0 and the variance 1 - z² along each axis, to rounding: together they are
-// the whole beam. Fewer than three cannot be: each is the whole beam then. z² is `least`, in (0, 1],
-// at least.
-glm::dvec3 beam_part(int i, int count, double least);
+// the whole beam. Fewer than three cannot be: each is the whole beam then.
+glm::dvec3 beam_part(int i, int count);
 
 } // namespace gg::uniforms

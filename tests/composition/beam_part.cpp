@@ -16,7 +16,6 @@ using glm::dvec3;
 constexpr double rounding = 1e-9; // sums of up to 256 parts, roots of differences near 0
 
 const int counts[] = {3, 4, 5, 16, 64, 256};
-constexpr double least = 0.1;
 
 f64::vec3 asked(const dvec3& part) {
   return {part.x, part.y, part.z};
@@ -28,7 +27,7 @@ TEST(beam_part, parts_have_the_mean_and_the_variance_of_the_whole) {
   for (const int count : counts) {
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, kept = 0.0;
     for (int i = 0; i < count; ++i) {
-      const dvec3 part = uniforms::beam_part(i, count, least);
+      const dvec3 part = uniforms::beam_part(i, count);
       x += part.x / count;
       y += part.y / count;
       xx += part.x * part.x / count;
@@ -48,7 +47,7 @@ TEST(beam_part, parts_have_the_mean_and_the_variance_of_the_whole) {
 TEST(beam_part, one_sample_or_two_are_the_whole_beam) {
   for (const int count : {1, 2})
     for (int i = 0; i < count; ++i)
-      EXPECT_EQ(uniforms::beam_part(i, count, least), dvec3(0, 0, 1)) << count;
+      EXPECT_EQ(uniforms::beam_part(i, count), dvec3(0, 0, 1)) << count;
   const dvec3 direction = normalize(dvec3(0.3, -0.5, 0.8));
   const auto whole = f64::beamPart(direction, 0.2, 0.1, 0.05, asked({0, 0, 1}));
   EXPECT_NEAR(length(dvec3(whole.direction) - direction), 0.0, rounding);
@@ -75,7 +74,7 @@ TEST(beam_part, at_any_distance_the_spot_is_as_wide_as_that_of_the_whole) {
             double along = 0.0, across = 0.0;
             for (int i = 0; i < count; ++i) {
               const auto part = f64::beamPart(direction, sigma, inner, carried,
-                                              asked(uniforms::beam_part(i, count, least)));
+                                              asked(uniforms::beam_part(i, count)));
               // beamVariance takes a spread as one that grows: crossed rays are its business elsewhere.
               const double offset = inside * part.inner, angle = outside * part.sigma;
               const double own =
@@ -103,7 +102,7 @@ TEST(beam_part, the_place_in_the_lobe_does_not_go_with_the_place_in_the_pixel) {
     for (int axis = 0; axis < 2; ++axis) {
       double x = 0.0, y = 0.0, radius = 0.0, position = 0.0, rr = 0.0, pp = 0.0, rp = 0.0;
       for (int i = 0; i < count; ++i) {
-        const dvec3 part = uniforms::beam_part(i, count, least);
+        const dvec3 part = uniforms::beam_part(i, count);
         const double at = uniforms::sample_position(i, count)[axis], r = std::hypot(part.x, part.y);
         x += part.x * at / count;
         y += part.y * at / count;
