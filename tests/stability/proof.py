@@ -45,7 +45,7 @@ class Proof:
         self.must(*self.python("truth.py", self.file("cases"), self.file("truth")))
 
     def values(self, name):
-        cases, out = self.file("cases"), self.file(name)
+        cases, out = self.file("cases"), self.file(name if name == "cpu" else f"{name}-{self.backend}")
         if name == "cpu":
             self.must(self.program, "eval", "--backend", "cpu", "--in", cases, "--out", out)
         elif name == "textbook":
