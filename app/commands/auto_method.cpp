@@ -29,7 +29,8 @@ void check(const MethodOptions& o) {
   if (o.method != "auto") {
     if (o.budget || o.max_error)
       throw Error(ExitCode::usage, o.budget ? "--budget" : "--max-error",
-                  "is given with --method " + o.method, "Write --method auto.");
+                  "chooses a method, and without --method auto it is " + o.method,
+                  "Add --method auto.");
     return;
   }
   if (!o.budget == !o.max_error)
