@@ -4,8 +4,11 @@
 #include "glsl/f32.h"
 #include "tables/interface_table.h"
 #include "tables/reflection_table.h"
+#include "tables/thin_wall_table.h"
 
 #include <glm/gtc/packing.hpp>
+
+#include <algorithm>
 
 namespace gg::tables {
 namespace {
@@ -85,6 +88,19 @@ void upload_interfaces(gpu::Device& device, DeviceTables& tables, std::span<cons
                       taps * f32::INTERFACE_LOBE_ALPHAS, 2 * f32::INTERFACE_SLICES,
                       read_interface_lobes(directory, model, taps).texels);
   }
+}
+
+void upload_thin_walls(gpu::Device& device, DeviceTables& tables, const Model& model, int taps) {
+  namespace f32 = glsl::f32;
+  const std::filesystem::path directory = home_directory() / "assets" / "tables";
+  const auto upload = [&](const char* what, int of_taps) {
+    return upload_volume(device, what + name(model), f32::THIN_WALL_COSINES,
+                         std::max(of_taps, 1) * f32::THIN_WALL_ALPHAS, f32::THIN_WALL_SLICES,
+                         read_thin_wall(directory, model, of_taps).texels);
+  };
+  ModelTables& target = tables.of_model[index_of(model)];
+  target.wall_energy = upload("thin wall energy ", 0);
+  target.wall_lobes = upload("thin wall lobes ", taps);
 }
 
 } // namespace gg::tables

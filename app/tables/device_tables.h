@@ -8,12 +8,15 @@
 
 namespace gg::tables {
 
-// What shaders/environment/lobe_table_fetch.glsl and shaders/refraction/interface_table_fetch.glsl read, for one model.
+// What shaders/environment/lobe_table_fetch.glsl, refraction/interface_table_fetch.glsl and refraction/thin_wall_table_fetch.glsl read,
+// for one model.
 struct ModelTables {
   gpu::TextureRef energy;           // sampler2D
   gpu::TextureRef lobe;             // sampler3D
   gpu::TextureRef interface_energy; // sampler3D; null unless asked for
   gpu::TextureRef interface_lobes;  // sampler3D
+  gpu::TextureRef wall_energy;      // sampler3D; null unless asked for
+  gpu::TextureRef wall_lobes;       // sampler3D
 };
 
 struct DeviceTables {
@@ -32,5 +35,8 @@ void upload_reflection(gpu::Device& device, DeviceTables& tables, const Model& m
 // Adds the tables of what is transmitted, of so many taps (1 to 4), for these models.
 void upload_interfaces(gpu::Device& device, DeviceTables& tables, std::span<const Model> wanted,
                        int taps);
+
+// Adds the tables of a model's thin walls, of 1 or 2 taps.
+void upload_thin_walls(gpu::Device& device, DeviceTables& tables, const Model& model, int taps);
 
 } // namespace gg::tables

@@ -81,7 +81,6 @@ std::vector<Task> tasks(Workshop& shop) {
                         write(shop.directory(),
                               make_interface_lobes(model, shop.views(), grid, taps, step));
                       }});
-    if (model.distribution != Distribution::ggx) continue; // walls are of GGX only
     list.push_back(
         {"thin-wall-energy-" + of, thin_wall_grid_steps(), 1, [&shop, model](auto& step) {
            write(shop.directory(), thin_wall_grid(shop.views(), model, step).energy);

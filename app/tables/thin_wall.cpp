@@ -54,17 +54,20 @@ WallLight through_wall(const Model& model, double alpha, double cos_theta, doubl
       const double kept =
           back.z > 0.0 ? left * (1.0 - through) * passed(model, alpha, wo, back, wm) : 0.0;
       if (!inside) { // the first face: what it reflects is done, what it passes goes on to the second
-        light.shares.reflected += kept;
+        light.reflected_first += kept;
         left = gone;
         if (!(left > 0.0)) break;
         wo = -on;
         inside = true;
         continue;
       }
-      if (gone > 0.0 && mirrored) light.shares.reflected += gone;
+      if (gone > 0.0 && mirrored) {
+        light.reflected_later += gone;
+        light.returned.push_back({vec3(on.x, on.y, -on.z), facing, gone, 0.0});
+      }
       if (gone > 0.0 && !mirrored) {
-        light.shares.transmitted += gone;
-        light.transmitted.push_back({on, facing, gone, 0.0});
+        light.transmitted += gone;
+        light.directions.push_back({on, facing, gone, 0.0});
       }
       left = kept;
       if (!(left > 0.0)) break;
@@ -73,10 +76,10 @@ WallLight through_wall(const Model& model, double alpha, double cos_theta, doubl
       mirrored = !mirrored;
     }
   }
-  const LobeShape shape = shape_of(light.transmitted);
+  const LobeShape shape = shape_of(light.directions);
   const double area = std::numbers::pi * std::pow(1.5 * std::max(shape.width, 1e-9), 2.0);
-  for (LobeSample& s : light.transmitted)
-    s.density = static_cast<double>(light.transmitted.size()) / area;
+  for (LobeSample& s : light.directions)
+    s.density = static_cast<double>(light.directions.size()) / area;
   return light;
 }
 
@@ -97,26 +100,28 @@ WallGrid thin_wall_grid(const FitViews& views, const Model& model, const Step& s
       const int x = i % nx, slice = i / nx;
       const WallAxes at = thin_wall_axes(x, y, slice);
       const std::size_t index = wall.grid.index(x, y, slice);
-      InterfaceShares shares;
+      WallLight light;
       if (at.alpha > 0.0) {
-        const WallLight light = through_wall(model, at.alpha, at.cos_theta, at.eta, paths);
-        shares = light.shares;
+        light = through_wall(model, at.alpha, at.cos_theta, at.eta, paths);
         std::vector<double> weights;
-        for (const LobeSample& s : light.transmitted)
+        for (const LobeSample& s : light.directions)
           weights.push_back(s.weight);
         if (!weights.empty()) {
           GridCell& cell = wall.grid.cells[index];
           cell.empty = false;
           cell.centre = std::acos(at.cos_theta);
           cell.unit = glsl::thinWallWidth(at.cos_theta, at.alpha, at.eta);
-          cell.target = fit_target(views, light.transmitted, weights, at.cos_theta == 1.0);
+          cell.target = fit_target(views, light.directions, weights, at.cos_theta == 1.0);
         }
-      } else { // F + (1 - F)² F (1 + F² + F⁴ + ...)
+      } else { // what comes back: (1 - F)² F (1 + F² + F⁴ + ...)
         const double f = glsl::fresnelDielectricAt(at.cos_theta, at.eta);
-        shares = {(1.0 - f) / (1.0 + f), 2.0 * f / (1.0 + f)};
+        light.transmitted = (1.0 - f) / (1.0 + f);
+        light.reflected_first = f;
+        light.reflected_later = f * light.transmitted;
       }
-      wall.energy.texels[4 * index] = static_cast<float>(shares.transmitted);
-      wall.energy.texels[4 * index + 1] = static_cast<float>(shares.reflected);
+      wall.energy.texels[4 * index] = static_cast<float>(light.transmitted);
+      wall.energy.texels[4 * index + 1] = static_cast<float>(light.reflected_first);
+      wall.energy.texels[4 * index + 2] = static_cast<float>(light.reflected_later);
     });
     step();
   }

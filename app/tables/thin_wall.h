@@ -9,10 +9,13 @@
 namespace gg::tables {
 
 // What a wall does with the light of one direction, all orders of reflection inside: shares of the power, and the
-// transmitted directions (local frame as in lobe.h; each stands for as much of the lobe's solid angle as any other).
+// directions of what gets through (local frame as in lobe.h; each stands for as much of the lobe's solid angle as any other).
 struct WallLight {
-  InterfaceShares shares;
-  std::vector<LobeSample> transmitted;
+  double transmitted = 0.0;
+  double reflected_first = 0.0; // by the face that the light meets first
+  double reflected_later = 0.0; // what comes back through it
+  std::vector<LobeSample> directions;
+  std::vector<LobeSample> returned; // the same of what comes back from within, towards +z
 };
 // `eta` > 1 of the wall over its surroundings; `count` paths, each followed until less than 1e-4 of it is left inside.
 WallLight through_wall(const Model& model, double alpha, double cos_theta, double eta, int count);

@@ -21,7 +21,7 @@ TableLayout layout(int taps) {
     return {"thin-wall-energy-",
             glsl::THIN_WALL_COSINES,
             height,
-            {"transmitted", "reflected"},
+            {"transmitted", "reflected first", "reflected later"},
             axes,
             0.0f,
             1.5f}; // Phong gains energy

@@ -11,7 +11,8 @@ namespace gg::tables {
 // Sizes and axes are those of shaders/refraction/thin_wall_table.glsl; texels as in interface_table.h.
 struct ThinWallTable {
   Model model;
-  int taps = 0; // 0: energies (transmitted, reflected), else lobes (offset, width, weight)
+  int taps =
+      0; // 0: energies (transmitted, reflected first and later), else lobes (offset, width, weight)
   std::vector<float> texels; // RGBA
 };
 inline constexpr int most_wall_taps = 2;

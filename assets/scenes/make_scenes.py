@@ -350,6 +350,20 @@ def slabs(gap):
     return d
 
 
+def panes():
+    """Walls of no thickness before a wall: above four that face the viewer, below the same turned by 60 degrees."""
+    d = Document()
+    d.wall(d.board("Wall", 32, 32, hues, unlit=True), (8, 8), (0, 0, -0.6))
+    half = math.radians(60) / 2
+    for i, alpha in enumerate((0.0, 0.1, 0.25, 0.5)):
+        material = d.glass(f"Pane {alpha:g}", alpha, 0.0)
+        for y, turn in ((0.65, 0.0), (-0.65, half)):
+            d.place(f"Pane {alpha:g}", ("rectangle", rectangle), material, (1.1 * (i - 1.5), y, 0), (1, 1.1, 1),
+                    (math.sin(turn), 0, 0, math.cos(turn)))
+    d.camera((0.4, 0.8, 6), (0, 0, 0), 44)
+    return d
+
+
 def glass_behind_glass():
     d = Document()
     d.wall(d.board("Wall", 24, 16, hues, unlit=True), (9, 6), (0, 2, -2.5))
@@ -403,7 +417,7 @@ def etched():
 def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent
     scenes = {"ball-grid": ball_grid(), "slabs-0.02": slabs(0.02), "slabs-0.2": slabs(0.2), "slabs-2": slabs(2.0),
-              "glass-behind-glass": glass_behind_glass(), "wineglass": wineglass(), "etched": etched()}
+              "panes": panes(), "glass-behind-glass": glass_behind_glass(), "wineglass": wineglass(), "etched": etched()}
     for name, document in scenes.items():
         data = document.bytes()
         (folder / f"{name}.glb").write_bytes(data)

@@ -3,8 +3,9 @@
 // alpha    slope width of both faces in [0, 1] (clamped). eta: the wall's index over its surroundings', [1, 4]; below 1 the
 //          same wall is read as its reciprocal. sigma: radians per axis.
 // Returns  thinWall...Coordinate: texture coordinates in [0, 1]. thinWallWidth: the lobe's width to first order, radians.
-//          thinWallEnergy: shares of the light that get through and back, all orders of reflection inside. thinWallTap:
-//          one of the Gaussians of what gets through; its direction by interfaceTapDirection.
+//          thinWallEnergy: shares of the light, all orders of reflection inside. thinWallTap: one of the Gaussians of what gets
+//          through; its direction by interfaceTapDirection. thinWallLaterSpread: of what comes back from within, over the width
+//          of what the first face reflects.
 // Source   made by `groundglass tables` (app/tables): paths through both faces, [Walter07] at each.
 // Limits   single scattering at each face; light inside meets the other face at a place of its own, so no interference and
 //          no shift. Below 1 there is total reflection outside, which the reciprocal index does not have.
@@ -33,7 +34,26 @@ float thinWallWidth(float cosTheta, float alpha, float eta) {
   return width / (1.0 + 2.0 * width);
 }
 
-InterfaceEnergy thinWallEnergy(vec4 texel) { return interfaceEnergy(texel); }
+struct ThinWallEnergy {
+  float transmitted;
+  float reflectedFirst; // by the face that the light meets first
+  float reflectedLater; // what comes back through it
+};
+
+ThinWallEnergy thinWallEnergy(vec4 texel) {
+  ThinWallEnergy e;
+  e.transmitted = texel.x;
+  e.reflectedFirst = texel.y;
+  e.reflectedLater = texel.z;
+  return e;
+}
+
+// At normal incidence and to first order: a facet's tilt t turns what the first face reflects by 2 t; the far face's turns what it
+// reflects by 2 t inside, n times that outside, and both passages of the near one by (n - 1) t each, at facets of their own.
+float thinWallLaterSpread(float eta) {
+  float n = eta < 1.0 ? 1.0 / max(eta, 0.01) : eta;
+  return sqrt(n * n + 0.5 * (n - 1.0) * (n - 1.0));
+}
 
 // What is not scattered goes straight on.
 InterfaceTap thinWallTap(vec4 texel, float cosTheta, float alpha, float eta) {

@@ -10,7 +10,7 @@
 
 #include "refraction/thin_wall_table.glsl"
 
-InterfaceEnergy fetchThinWallEnergy(sampler3D energyTable, float cosTheta, float alpha, float eta) {
+ThinWallEnergy fetchThinWallEnergy(sampler3D energyTable, float cosTheta, float alpha, float eta) {
   return thinWallEnergy(textureLod(energyTable, thinWallCoordinate(0, 1, cosTheta, alpha, eta), 0.0));
 }
 
