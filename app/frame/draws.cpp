@@ -6,7 +6,8 @@ Draws::Draws(gpu::Device& device, const UploadedScene& uploaded, const tables::D
     : device_(device), uploaded_(uploaded), tables_(tables), sampled_(uploaded.sampled()) {
   for (const tables::ModelTables& model : tables.of_model)
     for (const gpu::TextureRef& table :
-         {model.energy, model.lobe, model.interface_energy, model.interface_lobes})
+         {model.energy, model.lobe, model.interface_energy, model.interface_lobes,
+          model.wall_energy, model.wall_lobes})
       if (table) sampled_.push_back(gpu::whole(table));
 }
 
@@ -53,6 +54,10 @@ void Draws::bind(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
   if (tables.interface_energy) {
     encoder.texture("interfaceEnergyTable", gpu::whole(tables.interface_energy), tables_.sampler);
     encoder.texture("interfaceLobeTable", gpu::whole(tables.interface_lobes), tables_.sampler);
+  }
+  if (tables.wall_energy) {
+    encoder.texture("wallEnergyTable", gpu::whole(tables.wall_energy), tables_.sampler);
+    encoder.texture("wallLobeTable", gpu::whole(tables.wall_lobes), tables_.sampler);
   }
   for (const needs::Map& map : draw.maps) {
     const UploadedTexture texture = uploaded_.texture(map);

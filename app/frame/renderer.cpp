@@ -47,6 +47,8 @@ tables::DeviceTables upload_tables(gpu::Device& device, const needs::Needs& need
       tables::upload_reflection(device, tables, table.model, table.taps);
     if (table.kind == needs::TableKind::interface_lobes)
       tables::upload_interfaces(device, tables, std::array{table.model}, table.taps);
+    if (table.kind == needs::TableKind::wall_lobes)
+      tables::upload_thin_walls(device, tables, table.model, table.taps);
   }
   return tables;
 }

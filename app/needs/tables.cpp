@@ -35,6 +35,12 @@ Table table_of(TableKind kind, const tables::Model& model, int taps) {
     table.bytes = texel * f32::INTERFACE_LOBE_COSINES * f32::INTERFACE_LOBE_ALPHAS * 2
                   * f32::INTERFACE_SLICES;
     break;
+  case TableKind::wall_energy:
+  case TableKind::wall_lobes:
+    table.taps = taps;
+    table.file = (taps ? "thin-wall-" + lobes : std::string("thin-wall-energy")) + "-" + of_model;
+    table.bytes = texel * f32::THIN_WALL_COSINES * f32::THIN_WALL_ALPHAS * f32::THIN_WALL_SLICES;
+    break;
   }
   if (taps > 1) table.bytes *= static_cast<std::size_t>(taps);
   return table;
@@ -72,12 +78,13 @@ int interface_taps(Method method) {
 std::vector<Table> tables_of(const std::vector<Draw>& draws, const View& view) {
   std::vector<Table> tables;
   for (const tables::Model& model : tables::models) {
-    bool reflects = false, transmits = false;
+    bool reflects = false, transmits = false, has_walls = false;
     for (const Draw& draw : draws) {
       if (!same(model_of(*draw.material, view.correlated_smith), model)) continue;
       const bool lit = value_of(draw.key, Feature::shading) != static_cast<int>(Shading::unlit);
       reflects = reflects || (lit && value_of(draw.key, Feature::environment) != 0);
-      transmits = transmits || (draw.role == Role::refractive && !draw.is_straight());
+      if (draw.role != Role::refractive || draw.is_straight()) continue;
+      (draw.is_solid() ? transmits : has_walls) = true;
     }
     if (reflects) {
       tables.push_back(table_of(TableKind::reflection_energy, model, 0));
@@ -87,6 +94,10 @@ std::vector<Table> tables_of(const std::vector<Draw>& draws, const View& view) {
     if (transmits && interface_taps(view.method) > 0) {
       tables.push_back(table_of(TableKind::interface_energy, model, 0));
       tables.push_back(table_of(TableKind::interface_lobes, model, interface_taps(view.method)));
+    }
+    if (has_walls && interface_taps(view.method) > 0) {
+      tables.push_back(table_of(TableKind::wall_energy, model, 0));
+      tables.push_back(table_of(TableKind::wall_lobes, model, interface_taps(view.method)));
     }
   }
   return tables;

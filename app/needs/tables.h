@@ -10,7 +10,14 @@
 
 namespace gg::needs {
 
-enum class TableKind { reflection_energy, reflection_lobes, interface_energy, interface_lobes };
+enum class TableKind {
+  reflection_energy,
+  reflection_lobes,
+  interface_energy,
+  interface_lobes,
+  wall_energy,
+  wall_lobes
+};
 
 struct Table {
   TableKind kind;

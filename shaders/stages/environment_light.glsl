@@ -86,9 +86,11 @@ vec3 environmentLight(Surface s) {
     return light.diffuse + light.weight * sum;
 }
 
-// All taps as one of the same mean and variance (per axis half of the squared distances): for glass, where little is reflected.
-LobeTap mergedTap(Surface s, EnvironmentLight light) {
+// All taps but the first as one of the same mean and variance (per axis half of the squared distances): for glass, where little is
+// reflected. Weight 0 if there is but one.
+LobeTap mergedTail(Surface s, EnvironmentLight light) {
     LobeTap merged = light.tap;
+    merged.weight = 0.0;
     for (int k = 1; k < lobeTaps; ++k) {
         LobeTap tap = fetchLobeTapOf(lobeTable, k, lobeTaps, s.wo, s.n, s.alpha, light.edge);
         float share = tap.weight / max(merged.weight + tap.weight, 1e-30);

@@ -18,6 +18,8 @@ layout(constant_id = 42) const int mostBounces = 2; // total reflections that ar
 
 // Light that has lost its way comes from a cone of about a radian.
 const float LEFT_OVER_SIGMA = 0.5; // radians
+// Of what a diffuse face sends, the mean square of the angle is pi²/8 - 1/2, half of that per axis: nothing leaves a face wider.
+const float HEMISPHERE_SIGMA = 0.606;
 
 struct WeightedBeam {
     Beam beam;
@@ -33,6 +35,12 @@ struct GlassBeams {
     ExitSurface leaving; // where the first two leave, by which ray from within
     vec3 inner;
     float within; // metres to something opaque inside that ends the core; negative: none
+};
+
+// The glass's own reflection.
+struct MirrorBeams {
+    WeightedBeam core;
+    WeightedBeam rest; // not there where the lobe's table has one tap
 };
 
 // KHR_materials_dispersion: red and blue to both sides of the index, by a fortieth of (ior - 1) times the dispersion each.
@@ -62,6 +70,29 @@ WeightedBeam noBeam(vec3 origin, vec3 direction) {
     w.beam = straightBeam(origin, direction, 0.0);
     w.weight = vec3(0.0);
     return w;
+}
+
+MirrorBeams noMirror(Surface s) {
+    MirrorBeams mirror;
+    mirror.core = noBeam(s.position, s.n);
+    mirror.rest = mirror.core;
+    return mirror;
+}
+
+WeightedBeam mirrorBeam(Surface s, EnvironmentLight light, LobeTap tap) {
+    WeightedBeam w;
+    w.beam = straightBeam(s.position, tap.direction, tap.sigma);
+    w.beam.turn = s.turn;
+    w.weight = light.weight * tap.weight;
+    return w;
+}
+
+vec3 farBeam(WeightedBeam w) { return w.weight * farRadiance(w.beam.direction, seenSigma(w.beam)); }
+
+vec3 farMirror(MirrorBeams mirror) {
+    vec3 sum = farBeam(mirror.core);
+    if (lobeTaps > 1) sum += farBeam(mirror.rest);
+    return sum;
 }
 
 // n as another ray finds it, `apart` from the one that it is known for.
@@ -100,7 +131,8 @@ struct InnerPath {
     vec3 lastPoint;
     float lastPath;
     bool bounced;
-    vec3 leftDirection;  // of what is thrown back there
+    vec3 leftPoint;      // where what is thrown back there is looked for, outside
+    vec3 leftDirection;
     float leftSigma;
     float left;          // its energy, of which so much gets out in the end:
     float escapes;
@@ -108,8 +140,8 @@ struct InnerPath {
 
 InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Widening k) {
     InnerPath p;
-    // A plate: the other face of a thin wall, or of a mesh that has no far side, whose thickness is given.
-    float across = transmission == 2 ? surfaceThickness() * meshUnit() : 0.0;
+    // A plate: the other face of a mesh that has no far side, whose thickness is given.
+    float across = surfaceThickness() * meshUnit();
     p.path = across / max(-dot(core.direction, s.n), 0.05); // a ray along the plate leaves it after 20 thicknesses
     p.point = s.position + p.path * core.direction;
     p.first.n = -s.n;
@@ -164,16 +196,29 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
         // the rest. A smooth face loses nothing: below a hundredth it is the table's rounding.
         float lost = max(1.0 - face.reflected - face.transmitted - 0.01, 0.0);
         p.escapes = face.transmitted + lost > 0.0 ? face.transmitted / (face.transmitted + lost) : 1.0;
-        p.leftSigma = reflectedSpread(p.ray.sigma, p.last, seen.cosTheta, k.shape);
-        // What the far side of a plate throws back leaves by the near one as a mirror's. Beyond the critical angle, on curved faces
-        // and in bodies that are not convex it wanders: of all guesses, what is behind the body is nearest to brute force.
-        bool mirrored = interiorPairs < 2 && thrownBack < 0.5 * p.ray.weight && p.last.turn == vec2(0.0);
+        float spread = reflectedSpread(p.ray.sigma, p.last, seen.cosTheta, k.shape);
         vec3 reflected = reflect(p.ray.direction, p.last.n);
-        p.leftDirection = mirrored ? reflected : -s.wo;
         p.left = thrownBack;
+        // Beyond the critical angle, of rough curved faces and in bodies that are not convex it wanders: of all guesses, what is
+        // behind the body is nearest to brute force.
+        p.leftPoint = p.lastPoint;
+        p.leftDirection = -s.wo;
+        p.leftSigma = max(spread, LEFT_OVER_SIGMA);
+        bool isFlat = p.last.turn == vec2(0.0);
+        if (interiorPairs < 2 && thrownBack < 0.5 * p.ray.weight && (isFlat || spread < LEFT_OVER_SIGMA)) {
+            // Else what a convex body throws back leaves by its near face: of a plate that is the one that is seen, of a curved body the
+            // one that the sphere with the same chord has there.
+            vec3 near = isFlat ? s.n : normalize(p.last.n + 2.0 * dot(p.ray.direction, p.last.n) * reflected);
+            vec3 outward = refractAbout(-reflected, -near, invIor);
+            if (dot(outward, near) > 0.0) {
+                p.leftPoint = p.lastPoint + distance(p.lastPoint, from) * reflected; // chords of one length
+                p.leftDirection = outward;
+                p.leftSigma = min(spread / invIor, HEMISPHERE_SIGMA); // small angles grow by the index there
+            }
+        }
         // Followed where most of the light is: beyond the critical angle.
         if (interiorPairs == 0 || bounce == mostBounces || thrownBack < 0.5 * p.ray.weight) break;
-        p.ray.sigma = p.leftSigma;
+        p.ray.sigma = spread;
         p.ray.direction = reflected;
         p.ray.weight = thrownBack;
         from = p.lastPoint;
@@ -181,7 +226,7 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
     return p;
 }
 
-// Through both faces of a solid or of a wall.
+// Through both faces of a solid, or of a plate whose thickness is given.
 GlassBeams throughTwoFaces(Surface s, float ior) {
     float entered = fetchInterfaceEnergy(interfaceEnergyTable, dot(s.n, s.wo), s.alpha, ior).transmitted;
     InnerTap core = fetchInnerTap(interfaceLobeTable, 0, entryTaps(), s.wo, s.n, s.alpha, ior, entered);
@@ -216,19 +261,8 @@ GlassBeams throughTwoFaces(Surface s, float ior) {
         tap.weight = p.bounced ? p.ray.weight * through : 0.0; // the core stands for its tail
         beams.bounced = weighted(tap, p.lastPoint, p.lastPath, absorbed(p.lastPath));
     }
-    if (transmission == 1) {
-        // Light goes to and fro between the faces of a wall and leaves a share by each at every turn: what stays on this side
-        // of it leaves as the mirror's, and the rest as what came straight through.
-        float kept = p.left / max(entered, 1e-30);
-        float turns = 1.0 / max(1.0 - kept * kept, 1e-30);
-        beams.core.weight *= turns;
-        beams.rest.weight *= turns;
-        p.left *= turns;
-        p.escapes *= 1.0 - kept;
-        p.leftDirection = reflect(-s.wo, s.n);
-    }
     // What is left runs about as far again before it gets out.
-    beams.leftOver.beam = straightBeam(p.lastPoint, p.leftDirection, max(p.leftSigma, LEFT_OVER_SIGMA));
+    beams.leftOver.beam = straightBeam(p.leftPoint, p.leftDirection, p.leftSigma);
     beams.leftOver.weight = p.left * p.escapes * absorbed(2.0 * p.lastPath);
 
     if (holdsOpaque) {
@@ -300,7 +334,7 @@ float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
 // How far a beam is looked for on the picture: what brings less than glass reflects of light that meets it squarely, 4 %, is not,
 // at twice that it is in full. The environment stands in.
-float looked(WeightedBeam w) { return looksAround ? smoothstep(0.04, 0.08, largest(w.weight)) : 0.0; }
+float looked(vec3 weight) { return looksAround ? smoothstep(0.04, 0.08, largest(weight)) : 0.0; }
 
 // Punctual lights as a beam sees them, by its density at their directions: a Gaussian of its own width. A smooth path shows a
 // point of light to nobody.
@@ -318,10 +352,10 @@ vec3 lightsAlong(Beam beam) {
 
 // What the beams bring: core and rest, what bounced, what is left over and the mirror's, those that are looked for each by its own
 // meeting.
-vec3 glassRadiance(GlassBeams beams, WeightedBeam mirror) {
+vec3 glassRadiance(GlassBeams beams, MirrorBeams mirror) {
     vec3 sum = vec3(0.0);
     float bounced = largest(beams.bounced.weight) > 0.0 ? 1.0 : 0.0;
-    vec3 wanted = vec3(bounced, looked(mirror), looked(beams.leftOver));
+    vec3 wanted = vec3(bounced, looked(mirror.core.weight + mirror.rest.weight), looked(beams.leftOver.weight));
     // Lanes of a group run as long as the longest: the way is short where nothing but the core is looked for.
     int group = 0;
     while (group < 4) {
@@ -331,7 +365,7 @@ vec3 glassRadiance(GlassBeams beams, WeightedBeam mirror) {
             w = beams.bounced;
             share = wanted.x;
         } else if (group == 2) {
-            w = mirror;
+            w = mirror.core;
             share = wanted.y;
         } else if (group == 3) {
             w = beams.leftOver;
@@ -343,10 +377,11 @@ vec3 glassRadiance(GlassBeams beams, WeightedBeam mirror) {
             meeting.distance = beams.within;
             meeting.seen = true;
         }
-        int members = group == 0 && entryTaps() > 1 ? 2 : 1;
+        int members = (group == 0 && entryTaps() > 1) || (group == 2 && lobeTaps > 1) ? 2 : 1;
         for (int m = 0; m < members; ++m) {
             if (m == 1) {
                 w = beams.rest;
+                if (group == 2) w = mirror.rest;
                 part = partOf(w.beam);
             }
             sum += share * w.weight * beamRadiance(part, meeting);
@@ -357,7 +392,9 @@ vec3 glassRadiance(GlassBeams beams, WeightedBeam mirror) {
         if (group == 2 && wanted.y == 0.0) ++group;
         if (group == 3 && wanted.z == 0.0) ++group;
     }
-    if (largest(mirror.weight) > 0.0)
-        sum += (1.0 - wanted.y) * mirror.weight * farRadiance(mirror.beam.direction, seenSigma(mirror.beam));
-    return sum + (1.0 - wanted.z) * beams.leftOver.weight * wideRadiance(beams.leftOver.beam.direction);
+    if (hasEnvironment) sum += (1.0 - wanted.y) * farMirror(mirror);
+    if (transmission == 1) return sum; // nothing is left over in a wall
+    // Where it has always lost its way, the widest lookup does.
+    vec3 left = interiorPairs < 2 ? farBeam(beams.leftOver) : beams.leftOver.weight * wideRadiance(beams.leftOver.beam.direction);
+    return sum + (1.0 - wanted.z) * left;
 }

@@ -10,6 +10,7 @@
 #include "stages/surroundings.glsl"
 #include "stages/environment_light.glsl"
 #include "stages/glass.glsl"
+#include "stages/thin_wall.glsl"
 #include "stages/importance.glsl"
 #include "stages/importance_glass.glsl"
 
@@ -22,19 +23,17 @@ vec4 refractiveColor(vec4 base) {
     vec3 tint = through * (twice ? s.baseColor : sqrt(s.baseColor));
     vec3 radiance = s.emissive;
     float ior = ofPixel(material.surface.w); // tables and composition branch on it
-    WeightedBeam mirror = noBeam(s.position, s.n);
+    MirrorBeams mirror = noMirror(s);
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);
-        LobeTap tap = mergedTap(s, light);
-        mirror.beam = straightBeam(s.position, tap.direction, tap.sigma);
-        mirror.beam.turn = s.turn;
-        mirror.weight = light.weight;
+        mirror.core = mirrorBeam(s, light, light.tap);
+        if (lobeTaps > 1) mirror.rest = mirrorBeam(s, light, mergedTail(s, light));
         radiance += light.diffuse;
     }
     if (indexIsOne) {
-        radiance += tint * throughNothing() + mirror.weight * farRadiance(mirror.beam.direction, seenSigma(mirror.beam));
+        radiance += tint * throughNothing() + farMirror(mirror);
     } else if (method == 0) {
-        radiance += tint * throughStandard(s, ior) + mirror.weight * farRadiance(mirror.beam.direction, seenSigma(mirror.beam));
+        radiance += tint * throughStandard(s, ior) + farMirror(mirror);
     } else {
         // Where the index depends on the wavelength each channel goes its own way.
         int ways = disperses ? 3 : 1;
@@ -43,8 +42,16 @@ vec4 refractiveColor(vec4 base) {
             if (disperses) mask = vec3(k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0);
             float own = disperses ? dispersedIor(ior, material.transmission.z, k) : ior;
             GlassBeams beams;
-            if (twice) beams = throughTwoFaces(s, own);
-            else beams = outOfSolid(s, own);
+            MirrorBeams reflected = mirror;
+            if (transmission == 1) {
+                ThinWall wall = throughThinWall(s, own);
+                beams = wall.through;
+                reflected = withReflectedLater(mirror, tint * wall.reflectedLater, own);
+            } else if (twice) {
+                beams = throughTwoFaces(s, own);
+            } else {
+                beams = outOfSolid(s, own);
+            }
             beams.core.beam.turn = turnOverPixel(beams.core.beam.direction);
             beams.rest.beam.turn = beams.core.beam.turn;
             beams.bounced.beam.turn = turnOverPixel(beams.bounced.beam.direction);
@@ -56,7 +63,7 @@ vec4 refractiveColor(vec4 base) {
                 radiance += mask * tint * sampledGlass(s, own, beams, method - 100);
                 beams.core.weight = vec3(0.0);
             }
-            radiance += mask * glassRadiance(beams, mirror);
+            radiance += mask * glassRadiance(beams, reflected);
         }
     }
     if (hasLights) radiance += punctualLight(s);

@@ -80,7 +80,6 @@ TEST(needs, a_wall_without_inside_has_no_interior) {
   const Needs needs = needs::needs_of(scene, view());
   EXPECT_EQ(labels(needs), (Labels{"opaque", "backdrop", "pyramid", "refractive"}));
   EXPECT_EQ(needs.target("interior"), nullptr);
-  EXPECT_TRUE(has_table(needs, "interface"));
 }
 
 TEST(needs, a_convex_solid_takes_one_pair_of_faces_and_others_two) {
@@ -132,6 +131,16 @@ TEST(needs, taps_are_those_of_the_method) {
   EXPECT_TRUE(has_table(needs::needs_of(scene, view(Method::lobes2)), "interface-lobes2-ggx"));
   EXPECT_EQ(needs::needs_of(scene, view(Method::lobes1)).lookups.refracted, 1);
   EXPECT_EQ(needs::needs_of(scene, view(Method::lobes2)).lookups.refracted, 2);
+}
+
+TEST(needs, thin_walls_read_tables_of_both_faces_and_none_of_one) {
+  const scene::Scene scene = square(thin(glass(0.3f)));
+  const Needs needs = needs::needs_of(scene, view(Method::lobes2));
+  EXPECT_TRUE(has_table(needs, "thin-wall-energy-ggx"));
+  EXPECT_TRUE(has_table(needs, "thin-wall-lobes2-ggx"));
+  EXPECT_FALSE(has_table(needs, "interface"));
+  EXPECT_FALSE(has_table(needs::needs_of(scene, view(Method::standard)), "thin-wall"));
+  EXPECT_FALSE(has_table(needs::needs_of(box(glass(0.3f)), view(Method::lobes2)), "thin-wall"));
 }
 
 TEST(needs, only_what_shines_in_company_is_drawn_again_for_what_it_reflects) {

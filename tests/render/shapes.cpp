@@ -38,9 +38,11 @@ scene::Scene ball(const scene::Material& material) {
   std::vector<float> positions, tangents, uvs;
   for (int r = 0; r <= rows; ++r)
     for (int c = 0; c <= columns; ++c) {
-      const double theta = std::numbers::pi * r / rows, phi = 2.0 * std::numbers::pi * c / columns;
-      append(positions,
-             {std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi)});
+      // Closed to the bit: the last column is the first, and a pole one point.
+      const double theta = std::numbers::pi * r / rows;
+      const double phi = 2.0 * std::numbers::pi * (c % columns) / columns;
+      const double ring = r % rows == 0 ? 0.0 : std::sin(theta);
+      append(positions, {ring * std::sin(phi) + 0.0, std::cos(theta), ring * std::cos(phi) + 0.0});
       append(tangents, {std::cos(phi), 0.0, -std::sin(phi), 1.0});
       append(uvs, {static_cast<double>(c) / columns, static_cast<double>(r) / rows});
     }

@@ -1,0 +1,54 @@
+// thin_wall.glsl: the light that comes through a wall of no thickness, as beams that leave it, and what it adds to the mirror's.
+// Frame    world, metres; directions unit.
+// Needs    stages/glass.glsl.
+// Source   refraction/thin_wall_table.glsl: all orders of reflection between the two faces.
+#include "refraction/thin_wall_table_fetch.glsl"
+
+layout(binding = 29) uniform sampler3D wallEnergyTable;
+layout(binding = 30) uniform sampler3D wallLobeTable;
+
+struct ThinWall {
+    GlassBeams through;
+    float reflectedLater; // what comes back from within, by the mirror's way
+};
+
+WeightedBeam wallBeam(Surface s, int tap, float ior, float transmitted) {
+    InterfaceTap read = fetchThinWallTap(wallLobeTable, tap, entryTaps(), dot(s.wo, s.n), s.alpha, ior);
+    WeightedBeam w;
+    w.beam = straightBeam(s.position, interfaceTapDirection(s.wo, s.n, read.angle), read.sigma);
+    w.weight = vec3(read.weight * transmitted);
+    return w;
+}
+
+ThinWall throughThinWall(Surface s, float ior) {
+    ThinWallEnergy energy = fetchThinWallEnergy(wallEnergyTable, dot(s.wo, s.n), s.alpha, ior);
+    ThinWall wall;
+    wall.reflectedLater = energy.reflectedLater;
+    wall.through.core = wallBeam(s, 0, ior, energy.transmitted);
+    wall.through.rest = noBeam(s.position, s.n);
+    if (entryTaps() > 1) wall.through.rest = wallBeam(s, 1, ior, energy.transmitted);
+    wall.through.bounced = noBeam(s.position, s.n);
+    wall.through.leftOver = noBeam(s.position, s.n);
+    wall.through.within = -1.0;
+    // The far face, for those who sample both.
+    wall.through.leaving.n = -s.n;
+    wall.through.leaving.alpha = s.alpha;
+    wall.through.leaving.eta = 1.0 / ior;
+    wall.through.leaving.turn = vec2(0.0);
+    wall.through.inner = refractAbout(s.wo, s.n, ior);
+    return wall;
+}
+
+// The mirror's beams, and with them what comes back from within the wall: the same directions, wider lobes.
+MirrorBeams withReflectedLater(MirrorBeams mirror, vec3 later, float ior) {
+    vec3 before = mirror.core.weight + mirror.rest.weight;
+    vec3 more = 1.0 + later / max(before, vec3(1e-30));
+    float share = 1.0 - 1.0 / largest(more);
+    float wider = sqrt(mix(1.0, thinWallLaterSpread(ior) * thinWallLaterSpread(ior), share));
+    MirrorBeams both = mirror;
+    both.core.beam.sigma *= wider;
+    both.core.weight *= more;
+    both.rest.beam.sigma *= wider;
+    both.rest.weight *= more;
+    return both;
+}
