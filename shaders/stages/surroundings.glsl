@@ -54,6 +54,7 @@ struct Meeting {
     bool seen;      // the picture shows it
     float foreshortening; // area that the picture shows of a patch of the surface, over the area that the beam does
     bool hidden;    // behind something nearer, from there on
+    vec2 from;      // pixels: where the beam begins
     bool guessed;   // the picture does not show that place: its border is taken to go on
     float wall;     // it does not, but of the beam this share meets a wall that is known to be there; 0: there is none
 };
@@ -90,6 +91,7 @@ Meeting nowhere() {
     m.seen = false;
     m.foreshortening = 1.0;
     m.hidden = false;
+    m.from = vec2(0.0);
     m.guessed = true;
     m.wall = 0.0;
     return m;
@@ -279,6 +281,7 @@ Meeting meetBackdrop(vec3 origin, vec3 direction, float sigma, bool guess) {
             met.wall = wall.x;
         }
     }
+    met.from = pixelOf(from);
     if (met.seen && met.distance > 0.0)
         met.foreshortening = foreshorteningAt(pixelOf(from + met.distance * along), direction);
     return met;
@@ -319,6 +322,12 @@ vec3 beamRadiance(Beam beam, Meeting meeting) {
         }
         pixels *= sqrt(meeting.foreshortening);
         vec2 at = pixelOf(clip);
+        // A spot beside what hides the rest of its way would take half of its light from that, which may be a lamp's reflection: it
+        // is read as far back on its way as it reaches, two sigma, is a share of that; from where it begins if that is all.
+        if (meeting.hidden) {
+            vec2 back = meeting.from - at;
+            at += back * min(4.0 * pixels * pixels / max(dot(back, back), 1e-6), 1.0);
+        }
         // Off the picture the sky is known better from the environment. A surface is not: its border stands for it, ever more
         // blurred, and fades as the picture's size tells how far a guess may reach: not where a wall is known to go on.
         vec2 outside = max(max(-at, at - frame.picture.xy), vec2(0.0)) / (OUTSIDE_FADE * frame.picture.y);
