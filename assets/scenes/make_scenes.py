@@ -55,21 +55,15 @@ def sand(u, v):
     return 0.93, 0.90 - 0.12 * u, 0.82 - 0.2 * u
 
 
-def slate(u, v):
-    """Dark, as etched letters are seen by the light that they scatter."""
-    return 0.2, 0.22, 0.25
-
-
 # Five columns of seven bits for each letter, lowest bit on top.
-FONT = {"G": (0x3E, 0x41, 0x49, 0x49, 0x7A), "R": (0x7F, 0x09, 0x19, 0x29, 0x46), "O": (0x3E, 0x41, 0x41, 0x41, 0x3E),
-        "U": (0x3F, 0x40, 0x40, 0x40, 0x3F), "N": (0x7F, 0x04, 0x08, 0x10, 0x7F), "D": (0x7F, 0x41, 0x41, 0x22, 0x1C),
-        " ": (0, 0, 0, 0, 0)}
+FONT = {"R": (0x7F, 0x09, 0x19, 0x29, 0x46), "O": (0x3E, 0x41, 0x41, 0x41, 0x3E), "U": (0x3F, 0x40, 0x40, 0x40, 0x3F),
+        "G": (0x3E, 0x41, 0x49, 0x49, 0x7A), "H": (0x7F, 0x08, 0x08, 0x08, 0x7F), " ": (0, 0, 0, 0, 0)}
 
 
 def etching(width, height, clear, etched):
     """Roughness over longitude and latitude: a word and rings on one half, centred a quarter of the way round. The
     other half is clear, as what is etched there would be seen through the first."""
-    text = "GROUND"
+    text = "ROUGH"
     cell = width / 104
     left = width / 4 - (6 * len(text) - 1) / 2 * cell
     pixels = bytearray()
@@ -397,20 +391,23 @@ def wineglass():
 
 
 def etched():
+    """Two balls before a dark cloth: what is etched scatters the light from the sides, what is clear shows the cloth."""
     d = Document()
-    d.floor(d.board("Table", 64, 64, slate, unlit=False), (16, 16), (0, 0, -3))
+    cloth = d.material("Cloth", {"baseColorFactor": [0.012, 0.012, 0.015, 1.0], "metallicFactor": 0.0, "roughnessFactor": 1.0})
+    d.floor(cloth, (3, 3), (0, 0, -0.2))
+    d.wall(cloth, (3, 2.4), (0, 1.2, -1.2))
     linear = {"magFilter": 9729, "minFilter": 9987, "wrapS": 10497, "wrapT": 33071}
     texture = d.texture(etching(1024, 512, 0.0, math.sqrt(0.5)), linear)
-    for distribution, x in (("ggx", -0.58), ("beckmann", 0.58)):
+    for distribution, x in (("ggx", -0.56), ("beckmann", 0.56)):
         name = {"ggx": "Etched, GGX", "beckmann": "Etched, Beckmann"}[distribution]
         material = d.glass(name, 1.0, 2.0, extras={"distribution": distribution},
                            pbr={"metallicRoughnessTexture": {"index": texture}})
         # The word, at 90 degrees of longitude, comes to the front and is then tilted up towards the camera.
-        turn, tilt = math.radians(-90) / 2, math.radians(-21) / 2
+        turn, tilt = math.radians(-90) / 2, math.radians(-8) / 2
         d.place(name, ("globe", lambda: globe(96, 48)), material, (x, 0.501, 0), (0.5, 0.5, 0.5),
                 (math.sin(tilt) * math.cos(turn), math.cos(tilt) * math.sin(turn), math.sin(tilt) * math.sin(turn),
                  math.cos(tilt) * math.cos(turn)))
-    d.camera((0, 2.0, 4.0), (0, 0.46, 0), 30)
+    d.camera((0, 1.0, 4.2), (0, 0.5, 0), 24)
     return d
 
 

@@ -105,15 +105,17 @@ float wayAlong(float v, float wFrom, float wTo) {
 }
 
 // The surface at a pixel, seen along the view and along the beam: the ratio of the two cosines. A plane in the world is a plane in
-// device depth. Of the two neighbours along each axis the one that is less far in depth belongs to the same surface.
+// device depth. Of the two differences of four texels along each axis the one that is less far in depth belongs to one surface.
 float foreshorteningAt(vec2 at, vec3 direction) {
-    vec2 centre = floor(clamp(at, vec2(1.0), frame.picture.xy - 2.0)) + 0.5;
-    float z = depthBehind(centre);
-    float right = depthBehind(centre + vec2(1.0, 0.0)) - z;
-    float left = z - depthBehind(centre - vec2(1.0, 0.0));
-    float down = depthBehind(centre + vec2(0.0, 1.0)) - z;
-    float up = z - depthBehind(centre - vec2(0.0, 1.0));
-    vec2 perPixel = vec2(abs(right) < abs(left) ? right : left, abs(down) < abs(up) ? down : up);
+    vec2 centre = floor(clamp(at, vec2(1.0), frame.picture.xy - 1.0) + 0.5); // where four meet
+    vec4 four = textureGather(backdropDepth, centre / frame.picture.xy);     // below left, below right, above right, above left
+    float z = four.w;
+    float above = four.z - four.w;
+    float below = four.y - four.x;
+    float left = four.x - four.w;
+    float right = four.y - four.z;
+    vec2 perPixel = vec2(abs(above) < abs(below) ? above : below, abs(left) < abs(right) ? left : right);
+    centre -= 0.5;
     vec2 perClip = vec2(0.5, -0.5) * frame.picture.xy * perPixel;
     vec2 clip = vec2(2.0, -2.0) * (centre / frame.picture.xy - 0.5);
     vec4 plane = vec4(perClip, -1.0, z - dot(perClip, clip)); // dot(plane, clip coordinates) = 0
