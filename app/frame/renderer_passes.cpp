@@ -67,7 +67,7 @@ gpu::Pass Renderer::opaque_pass(int sample) const {
               encoder.use(sky_);
               encoder.draw(3);
             }
-            if (!geometry_) record(encoder, over_opaque_); // else once all is there
+            if (!needs_.shades_opaque_late()) record(encoder, over_opaque_);
           }};
 }
 

@@ -182,6 +182,16 @@ std::size_t Needs::triangle_count() const {
   return count;
 }
 
+bool Needs::reflects_glass() const {
+  const auto is_glass = [](const LayerDraw& of) { return !of.draw->is_straight(); };
+  const bool blended =
+      !over_opaque.empty()
+      || std::ranges::any_of(layers, std::not_fn(&std::vector<LayerDraw>::empty), &Layer::blended);
+  return reflects() && !blended && std::ranges::any_of(layers, [&](const Layer& layer) {
+           return !layer.regions.empty() || std::ranges::any_of(layer.refractive, is_glass);
+         });
+}
+
 std::size_t Needs::bytes() const {
   std::size_t sum = 0;
   for (const Share& share : memory)

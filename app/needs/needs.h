@@ -60,6 +60,10 @@ struct Needs {
   Lookups lookups;
 
   bool reflects() const { return !reflective.empty() || !reflective_regions.empty(); }
+  // Some opaque surfaces are shaded after the pass that draws the others: blended ones lie over them later still.
+  bool shades_opaque_late() const { return reflects() || !opaque_regions.empty(); }
+  // What reflects is shaded once more when glass is there to be seen in it. Nothing blended may lie over it then.
+  bool reflects_glass() const;
   std::size_t triangle_count() const;                  // per sample, each draw once
   std::size_t bytes() const;                           // of `memory` together
   const Target* target(const std::string& name) const; // null: there is none

@@ -28,9 +28,10 @@ public:
   }
 
   // The picture so far, and with `blurs` all that lookups in it take. Depth is that of opaque surfaces (rays pass flat glass, and
-  // what they meet behind it shows its colour) until a layer has glass in it that makes images.
-  void add_backdrop(std::size_t layer, bool blurs, std::size_t foreground) {
-    const bool takes_depth = needs_.target("backdrop depth") && (!has_depth_ || sees_images(layer));
+  // what they meet behind it shows its colour) until a layer has glass in it that makes images, or it is wanted `anew`.
+  void add_backdrop(std::size_t layer, bool blurs, std::size_t foreground, bool anew = false) {
+    const bool takes_depth =
+        needs_.target("backdrop depth") && (!has_depth_ || anew || sees_images(layer));
     has_depth_ = has_depth_ || takes_depth;
     Pass backdrop{.kind = PassKind::backdrop,
                   .label = "backdrop",
@@ -75,29 +76,40 @@ public:
     }
     add({.kind = PassKind::opaque,
          .label = "opaque",
-         .draws = needs_.opaque.size() + (by_pixel ? 0 : needs_.over_opaque.size()),
+         .draws =
+             needs_.opaque.size() + (needs_.shades_opaque_late() ? 0 : needs_.over_opaque.size()),
          .reads = uploads(),
          .writes = {"scene color", "scene depth"}});
     if (!by_pixel) return;
-    add({.kind = PassKind::material_depth,
-         .label = "material depth",
-         .reads = {"geometry", "scene depth"},
-         .writes = {"material depth"}});
+    add_material_depth();
     add({.kind = PassKind::deferred,
          .label = "deferred",
          .draws = needs_.opaque_regions.size(),
          .reads = uploads_and({"geometry", "material depth"}),
          .writes = {"scene color"}});
-    if (!needs_.over_opaque.empty())
-      add({.kind = PassKind::over_opaque,
-           .label = "blended",
-           .draws = needs_.over_opaque.size(),
-           .reads = uploads(),
-           .writes = {"scene color"}});
   }
 
-  void add_reflective() {
-    add_backdrop(0, true, 0);
+  // Over what is opaque, once all of that is there.
+  void add_over_opaque() {
+    if (needs_.over_opaque.empty() || !needs_.shades_opaque_late()) return;
+    add({.kind = PassKind::over_opaque,
+         .label = "blended",
+         .draws = needs_.over_opaque.size(),
+         .reads = uploads(),
+         .writes = {"scene color"}});
+  }
+
+  void add_material_depth() {
+    add({.kind = PassKind::material_depth,
+         .label = "material depth",
+         .reads = {"geometry", "scene depth"},
+         .writes = {"material depth"}});
+  }
+
+  // With `glass` its colour and depth are part of the picture by now, and it hides what is behind it.
+  void add_reflective(bool glass) {
+    add_backdrop(0, true, 0, glass);
+    if (glass && !needs_.reflective_regions.empty()) add_material_depth();
     Pass pass{.kind = PassKind::reflective,
               .label = "reflective",
               .draws = needs_.reflective.size(),
@@ -174,13 +186,15 @@ private:
 std::vector<Pass> passes_of(const Needs& needs) {
   List list(needs);
   list.add_opaque();
-  if (needs.reflects()) list.add_reflective();
+  if (needs.reflects()) list.add_reflective(false);
+  list.add_over_opaque();
   for (std::size_t l = 0; l < needs.layers.size(); ++l) {
     const Layer& layer = needs.layers[l];
     if (layer.shows_behind()) list.add_backdrop(l, layer.blurs, layer.foreground.size());
     list.add_interior(l);
     list.add_layer(l);
   }
+  if (needs.reflects_glass()) list.add_reflective(true);
   if (needs.view.samples > 1)
     list.add({.kind = PassKind::accumulate,
               .label = "accumulate",

@@ -12,13 +12,13 @@ struct Needs;
 enum class PassKind {
   geometry, // depth and normal of the fine meshes, whose shading is by their pixels
   opaque,   // what hides what is behind it, the sky, and blended surfaces that lie over these alone
-  material_depth,      // the pixels that each material's region shades
-  deferred,            // shades them
-  over_opaque,         // blended surfaces, where they lie over those
-  backdrop,            // the picture so far, for lookups: level 0 of the pyramid
-  foreground,          // cuts out of it what stands before the layer
-  pyramid,             // one level from the one before
-  reflective,          // opaque surfaces once more, now that the picture shows what they reflect
+  material_depth, // the pixels that each material's region shades
+  deferred,       // shades them
+  over_opaque,    // blended surfaces, where they lie over those, or over what is shaded once more
+  backdrop,       // the picture so far, for lookups: level 0 of the pyramid
+  foreground,     // cuts out of it what stands before the layer
+  pyramid,        // one level from the one before
+  reflective,     // opaque surfaces once more, now that the picture shows what they reflect
   deferred_reflective, // the same by their pixels
   interior,            // the faces of solids
   layer,               // glass, and blended surfaces among it

@@ -352,6 +352,22 @@ TEST(needs, fine_meshes_of_one_material_share_a_region_and_are_shaded_again_wher
   EXPECT_EQ(needs.reflective_regions.size(), 1u);
 }
 
+TEST(needs, what_reflects_is_shaded_again_once_the_glass_about_it_is_there) {
+  scene::Scene scene = square(metal(0.2f));
+  add(scene, box(glass(0.1f)), at({2.5f, 0, 0}));
+  const Labels drawn{"opaque",     "backdrop", "pyramid",     "reflective",
+                     "backdrop",   "pyramid",  "interior F1", "interior B1",
+                     "refractive", "backdrop", "pyramid",     "reflective"};
+  const Needs needs = needs::needs_of(scene, view());
+  EXPECT_EQ(labels(needs), drawn);
+  EXPECT_TRUE(needs.passes.back().kind == needs::PassKind::reflective);
+  // Not under something blended, which would be lost.
+  scene::Material veil = dielectric(0.5f);
+  veil.alpha_mode = scene::AlphaMode::blend;
+  add(scene, square(veil), at({0, 0, 1}));
+  EXPECT_NE(labels(needs::needs_of(scene, view())).back(), "reflective");
+}
+
 TEST(needs, a_map_that_cannot_matter_is_not_uploaded) {
   scene::Material shiny = dielectric(0.0f); // scales a roughness and a metalness of 0
   const auto maps = [](const scene::Scene& scene) {

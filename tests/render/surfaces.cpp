@@ -1,4 +1,5 @@
 // What a material and its maps do to a surface, and which surfaces are seen.
+#include "needs/view.h"
 #include "render/harness.h"
 #include "render/shapes.h"
 #include "support/pictures.h"
@@ -316,6 +317,53 @@ TEST_P(Render, samples_soften_the_outline_of_what_a_rough_surface_reflects) {
   const float hard = greatest_step(1);
   EXPECT_GT(hard, 0.3f) << "there is no outline to soften";
   EXPECT_LT(greatest_step(16), 2.0f / 3.0f * hard);
+}
+
+// Red glass over a floor of polished metal, under a white sky: the floor shows the sky and, where the glass mirrors, red.
+TEST_P(Render, metal_shows_the_glass_about_it) {
+  constexpr int size = 96;
+  scene::Material red = glass(0.3f);
+  red.base_color = {1.0f, 0.1f, 0.1f, 1.0f};
+  scene::Scene scene = square(metal(0.0f));
+  scene.instances[0].world =
+      glm::rotate(glm::scale(glm::translate(glm::mat4(1.0f), {0, -0.8f, 0}), glm::vec3(4.0f)),
+                  -glm::half_pi<float>(), {1, 0, 0});
+  scene.bounds = {};
+  scene.bounds.include({-4, -0.8f, -4});
+  scene.bounds.include({4, -0.8f, 4});
+  const glm::vec3 centre{0, 0.2f, 0}, mirrored{0, -1.8f, 0};
+  add(scene, ball(red), glm::scale(glm::translate(glm::mat4(1.0f), centre), glm::vec3(0.5f)));
+  const frame::FrameDesc desc{.width = size,
+                              .height = size,
+                              .samples = 1,
+                              .camera = camera_at({0, 1.0f, 5}),
+                              .method = frame::Method::lobes2};
+  const image::Image picture = draw(scene, {environment::constant(white), desc});
+  const glm::dvec4 clip =
+      needs::clip_from_world({.camera = desc.camera, .width = size, .height = size})
+      * glm::dvec4(mirrored, 1.0);
+  const int y = static_cast<int>(0.5 * (1.0 - clip.y / clip.w) * size);
+  const glm::vec3 there = rgb(picture, size / 2, y), beside = rgb(picture, size / 8, y);
+  EXPECT_LT(there.g, 0.6f * there.r);
+  expect_color(beside, white, 0.05f, "the floor beside"); // of the lobe's table at alpha 0
+}
+
+// Metal is shaded once more where there is something to reflect: not over what lies before it.
+TEST_P(Render, a_veil_stays_over_metal_that_has_company) {
+  scene::Material veil = unlit(glm::vec3(0.0f));
+  veil.alpha_mode = scene::AlphaMode::blend;
+  veil.base_color.a = 0.75f;
+  for (const bool with_glass : {false, true}) {
+    scene::Scene scene = square(metal(0.5f));
+    add(scene, square(veil), glm::translate(glm::mat4(1.0f), {0, 0, 0.5f}));
+    add(scene, with_glass ? ball(glass(0.1f)) : ball(dielectric(0.5f)),
+        glm::scale(glm::translate(glm::mat4(1.0f), {1.1f, 0, 0.3f}), glm::vec3(0.2f)));
+    frame::FrameDesc desc = head_on();
+    desc.method = frame::Method::lobes2;
+    const glm::vec3 seen = centre(draw(scene, {environment::constant(white), desc}));
+    EXPECT_LT(seen.g, 0.26f) << (with_glass ? "beside glass" : "beside plaster");
+    EXPECT_GT(seen.g, 0.15f);
+  }
 }
 
 TEST_P(Render, orthographic_camera_shows_its_half_extents) {
