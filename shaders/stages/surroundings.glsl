@@ -5,6 +5,7 @@
 // Source   DESIGN.md §2 (5). A surface that a beam meets is looked for in the depth behind the layer: first from depth to
 //          depth (each read is taken for a plane across the view, whose meeting with the beam has a closed form), which finds
 //          walls and floors in two or three reads; where that does not settle, in steps that are even on the screen.
+#include "bsdf/constants.glsl"
 #include "stages/of_pixel.glsl"
 #include "refraction/beam_part.glsl"
 #include "refraction/screen_pyramid_fetch.glsl"
@@ -36,10 +37,18 @@ Beam straightBeam(vec3 origin, vec3 direction, float sigma) {
     return beam;
 }
 
+// Parts are few: what each of them meets or misses has an outline, and outlines of all pixels' parts at the same places are lines
+// in the picture. Each pixel turns its own about the beam's middle, to one neighbour's angle or the other's at most: N parts stand
+// 2 pi / N apart, frame.part.w is 1 / (12 N). A lattice of the plastic number's powers leaves the least alike beside each other.
+mat2 pixelTurn() {
+    float angle = 48.0 * BSDF_PI * frame.part.w * (fract(dot(floor(gl_FragCoord.xy), vec2(0.754877666, 0.569840291))) - 0.5);
+    return mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
+}
+
 // The part of a beam that this sample of the pixel stands for. A wide beam meets more than one thing: by their parts the samples
 // meet each of them, where one meeting for all would draw its outline sharp.
 Beam partOf(Beam beam) {
-    BeamPart own = beamPart(beam.direction, beam.sigma, beam.inner, beam.carried, frame.part.xyz);
+    BeamPart own = beamPart(beam.direction, beam.sigma, beam.inner, beam.carried, vec3(pixelTurn() * frame.part.xy, frame.part.z));
     beam.origin += beam.inside * own.aside;
     beam.direction = own.direction;
     beam.sigma = own.sigma;
