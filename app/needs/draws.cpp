@@ -189,7 +189,9 @@ Draws draws_of(const scene::Scene& scene, const View& view) {
       draw.key = features.key;
       if (value_of(draw.key, Feature::environment) != 0)
         set_value(draw.key, Feature::lobe_taps,
-                  reflection_taps(view.method, model_of(material, view.correlated_smith)));
+                  value_of(draw.key, Feature::smooth) != 0
+                      ? 1
+                      : reflection_taps(view.method, model_of(material, view.correlated_smith)));
       draw.bounds = bounds;
       const glm::vec3 centre(instance.world * glm::vec4(primitive.bounds.centre(), 1.0f));
       draw.distance = static_cast<double>(glm::dot(centre - eye, forward));

@@ -44,6 +44,11 @@ bool is_all_glass(const Material& m) {
   return is_refractive(m) && m.transmission == 1.0f && !m.transmission_map && m.metallic <= 0.0f;
 }
 
+// Alpha is 0 everywhere: a map scales roughness, so that one of 0 stays.
+bool is_smooth(const Material& m) {
+  return scene::microfacet_alpha(m) == 0.0f && m.back_alpha.value_or(0.0f) == 0.0f;
+}
+
 // Whether the material can look different with this map than without: a map only scales its factors.
 bool matters(const MapKind& map, const Material& m, Shading shading, const FrameFeatures& frame) {
   const bool dielectric = shading == Shading::dielectric || shading == Shading::mixed;
@@ -128,6 +133,7 @@ Features features_of(const scene::Scene& scene, const Material& m, const Primiti
   set(Feature::correlated_smith,
       frame.correlated_smith && m.distribution == scene::Distribution::ggx);
   set(Feature::method, frame.method);
+  set(Feature::smooth, is_smooth(m));
   set(Feature::environment, frame.environment);
   set(Feature::lights, frame.lights);
   set(Feature::multiple_scattering, frame.multiple_scattering);

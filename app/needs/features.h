@@ -68,6 +68,7 @@ enum class Feature : std::uint32_t {
   interior_pairs,
   lobe_taps,
   seen_from_within,
+  smooth,
   count
 };
 enum class Shading { unlit, dielectric, metal, mixed, conductor };

@@ -40,6 +40,7 @@ constexpr FeatureName names[] = {
     {Feature::index_one, "index 1"},
     {Feature::attenuation, "absorption"},
     {Feature::seen_from_within, "seen from within"},
+    {Feature::smooth, "smooth"},
     {Feature::holds_opaque, "opaque things inside"},
     {Feature::lobe_taps,
      "reflection by",

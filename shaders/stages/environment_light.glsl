@@ -17,6 +17,8 @@ float meanAlbedo(float alpha) {
     return 0.363917 * a + 0.636083 * b;
 }
 
+const bool scattersAgain = multipleScattering && !isSmooth; // constants, so that what they leave out binds nothing
+
 // The part of the material that is metal: only metals keep the light that bounces between facets outside.
 vec3 multiplyScattered(Surface s, float albedo, vec3 meanFresnel) {
     float metal = shading == 2 || shading == 4 ? 1.0 : shading == 3 ? s.metallic : 0.0;
@@ -47,19 +49,29 @@ struct EnvironmentLight {
 
 EnvironmentLight environmentLobe(Surface s) {
     float cosO = dot(s.n, s.wo);
-    LobeEnergy energy = fetchLobeEnergy(energyTable, cosO, s.alpha);
-    vec3 reflectance = lobeMeanRgb(energy, materialFresnel(s, energy.cos1), materialFresnel(s, energy.cos2));
-
     EnvironmentLight light;
-    // At a constant angle Fresnel's branches would ask for the material's numbers alone (of_pixel.glsl).
-    light.edge = edgeShare(meanOf(materialFresnel(s, ofPixel(1.0))), meanOf(reflectance));
-    if (method == 0) light.tap = fetchStandardTap(lobeTable, s.wo, s.n, s.alpha);
-    else light.tap = fetchLobeTapOf(lobeTable, 0, lobeTaps, s.wo, s.n, s.alpha, light.edge);
-    light.weight = s.occlusion * energy.albedo * reflectance;
+    float albedo = 1.0;
+    vec3 reflectance;
+    if (isSmooth) {
+        reflectance = materialFresnel(s, cosO);
+        light.edge = 0.0;
+        light.tap.direction = reflect(-s.wo, s.n);
+        light.tap.sigma = 0.0;
+        light.tap.weight = 1.0;
+    } else {
+        LobeEnergy energy = fetchLobeEnergy(energyTable, cosO, s.alpha);
+        albedo = energy.albedo;
+        reflectance = lobeMeanRgb(energy, materialFresnel(s, energy.cos1), materialFresnel(s, energy.cos2));
+        // At a constant angle Fresnel's branches would ask for the material's numbers alone (of_pixel.glsl).
+        light.edge = edgeShare(meanOf(materialFresnel(s, ofPixel(1.0))), meanOf(reflectance));
+        if (method == 0) light.tap = fetchStandardTap(lobeTable, s.wo, s.n, s.alpha);
+        else light.tap = fetchLobeTapOf(lobeTable, 0, lobeTaps, s.wo, s.n, s.alpha, light.edge);
+    }
+    light.weight = s.occlusion * albedo * reflectance;
     light.diffuse = vec3(0.0);
 
     bool hasBase = shading == 1 || shading == 3;
-    if (hasBase || multipleScattering) {
+    if (hasBase || scattersAgain) {
         vec3 around = environmentIrradiance(irradianceCube, frame.stack, inEnvironment(s.n));
         if (hasBase) {
             vec3 angles = diffuseAngles(cosO);
@@ -69,7 +81,7 @@ EnvironmentLight environmentLobe(Surface s) {
             if (transmission > 0) base *= 1.0 - s.transmission;
             light.diffuse += base * under * s.baseColor * frame.environment.z * around;
         }
-        if (multipleScattering) light.diffuse += multiplyScattered(s, energy.albedo, reflectance) * frame.environment.z * around;
+        if (scattersAgain) light.diffuse += multiplyScattered(s, albedo, reflectance) * frame.environment.z * around;
     }
     light.diffuse *= s.occlusion;
     return light;
@@ -79,9 +91,11 @@ vec3 environmentLight(Surface s) {
     EnvironmentLight light = environmentLobe(s);
     LobeTap tap = light.tap;
     vec3 sum = tap.weight * reflectedRadiance(s, tap.direction, tap.sigma);
-    for (int k = 1; k < lobeTaps; ++k) {
-        tap = fetchLobeTapOf(lobeTable, k, lobeTaps, s.wo, s.n, s.alpha, light.edge);
-        sum += tap.weight * reflectedRadiance(s, tap.direction, tap.sigma);
+    if (lobeTaps > 1) {
+        for (int k = 1; k < lobeTaps; ++k) {
+            tap = fetchLobeTapOf(lobeTable, k, lobeTaps, s.wo, s.n, s.alpha, light.edge);
+            sum += tap.weight * reflectedRadiance(s, tap.direction, tap.sigma);
+        }
     }
     return light.diffuse + light.weight * sum;
 }

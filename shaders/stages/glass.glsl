@@ -49,9 +49,9 @@ float dispersedIor(float ior, float dispersion, int channel) {
 }
 
 // Taps that the tables of this method have: what is composed of two faces needs two of each at most.
-int entryTaps() { return method > 1 && method < 100 ? 2 : 1; }
+const int entryTaps = method > 1 && method < 100 && !isSmooth ? 2 : 1;
 
-Widening widening() { return distribution == 0 ? wideningGgx(entryTaps()) : wideningBeckmann(entryTaps()); }
+Widening widening() { return distribution == 0 ? wideningGgx(entryTaps) : wideningBeckmann(entryTaps); }
 
 vec3 absorbed(float metres) { return attenuates ? exp(-metres * material.attenuation.xyz) : vec3(1.0); }
 
@@ -103,6 +103,56 @@ ExitSurface exitBeside(ExitSurface s, vec3 direction, vec3 apart) {
     vec3 b = cross(s.n, t);
     other.n = normalize(s.n + s.turn.x * dot(apart, t) * t + s.turn.y * dot(apart, b) * b);
     return other;
+}
+
+// Of a face of the solid's, as the tables have it or, where nothing scatters, Fresnel and Snell themselves.
+InterfaceEnergy faceEnergy(float cosTheta, float alpha, float eta) {
+    InterfaceEnergy e;
+    if (isSmooth) {
+        e.transmitted = fresnelTransmittedAt(cosTheta, eta);
+        e.reflected = 1.0 - e.transmitted;
+    } else {
+        e = fetchInterfaceEnergy(interfaceEnergyTable, cosTheta, alpha, eta);
+    }
+    return e;
+}
+
+// wo -> where light goes on beyond the face; along -n where it is all thrown back, which has no weight.
+vec3 bentBy(vec3 n, vec3 wo, float eta) {
+    vec3 bent = refractAbout(wo, n, eta);
+    return dot(bent, bent) > 0.0 ? bent : -n;
+}
+
+InnerTap enteringTap(int tap, Surface s, float eta, float energy) {
+    InnerTap inner;
+    if (isSmooth) {
+        inner.direction = bentBy(s.n, s.wo, eta);
+        inner.sigma = 0.0;
+        inner.weight = energy;
+    } else {
+        inner = fetchInnerTap(interfaceLobeTable, tap, entryTaps, s.wo, s.n, s.alpha, eta, energy);
+    }
+    return inner;
+}
+
+// One tap through the face that it meets, by one tap that stands for all of it.
+ComposedTap leavingTap(InnerTap inner, ExitSurface s, Widening k) {
+    ComposedTap tap;
+    float cosTheta = dot(inner.direction, s.n);
+    float through;
+    if (isSmooth) {
+        tap.direction = bentBy(-s.n, -inner.direction, s.eta);
+        tap.sigma = 0.0;
+        tap.inner = 0.0;
+        tap.carried = 0.0;
+        through = fresnelTransmittedAt(cosTheta, s.eta);
+    } else {
+        ExitView seen = seeExit(inner, true, s, k);
+        through = fetchExitEnergy(interfaceEnergyTable, seen, s);
+        tap = fetchComposedTap(interfaceLobeTable, 0, entryTaps, inner, seen, s, through);
+    }
+    tap.weight = cosTheta > 0.0 ? inner.weight * through : 0.0;
+    return tap;
 }
 
 InteriorView interiorCamera() { return interiorView(frame.clipFromWorld, frame.worldFromClip, frame.picture.xy); }
@@ -190,7 +240,7 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
             }
         }
         ExitView seen = seeExit(p.ray, true, p.last, k);
-        InterfaceEnergy face = fetchInterfaceEnergy(interfaceEnergyTable, max(seen.cosTheta, 0.0), seen.alphaReflected, invIor);
+        InterfaceEnergy face = faceEnergy(max(seen.cosTheta, 0.0), seen.alphaReflected, invIor);
         float thrownBack = p.ray.weight * face.reflected;
         // Of what is thrown back again and again, each time with the same shares, so much gets out: single scattering loses
         // the rest. A smooth face loses nothing: below a hundredth it is the table's rounding.
@@ -228,8 +278,8 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
 
 // Through both faces of a solid, or of a plate whose thickness is given.
 GlassBeams throughTwoFaces(Surface s, float ior) {
-    float entered = fetchInterfaceEnergy(interfaceEnergyTable, dot(s.n, s.wo), s.alpha, ior).transmitted;
-    InnerTap core = fetchInnerTap(interfaceLobeTable, 0, entryTaps(), s.wo, s.n, s.alpha, ior, entered);
+    float entered = faceEnergy(dot(s.n, s.wo), s.alpha, ior).transmitted;
+    InnerTap core = enteringTap(0, s, ior, entered);
     Widening k = widening();
     InnerPath p = followInside(s, core, entered, 1.0 / ior, k);
     vec3 absorption = absorbed(p.path);
@@ -240,11 +290,10 @@ GlassBeams throughTwoFaces(Surface s, float ior) {
     beams.inner = core.direction;
     beams.rest = noBeam(p.point, s.n);
     beams.bounced = noBeam(p.lastPoint, s.n);
-    if (entryTaps() == 1) {
-        ComposedTap tap = fetchComposed(interfaceEnergyTable, interfaceLobeTable, core, p.first, k);
-        beams.core = weighted(tap, p.point, p.path, absorption);
+    if (entryTaps == 1) {
+        beams.core = weighted(leavingTap(core, p.first, k), p.point, p.path, absorption);
     } else {
-        InnerTap tail = fetchInnerTap(interfaceLobeTable, 1, entryTaps(), s.wo, s.n, s.alpha, ior, entered);
+        InnerTap tail = enteringTap(1, s, ior, entered);
         vec3 apart = tail.direction - core.direction;
         ComposedPair pair = fetchComposedPair(interfaceEnergyTable, interfaceLobeTable, core, p.first, tail,
                                               exitBeside(p.first, core.direction, apart), k);
@@ -255,10 +304,8 @@ GlassBeams throughTwoFaces(Surface s, float ior) {
         beams.rest = weighted(pair.rest, p.point + beside, p.path, absorption);
     }
     if (interiorPairs > 0) {
-        ExitView seen = seeExit(p.ray, true, p.last, k);
-        float through = fetchExitEnergy(interfaceEnergyTable, seen, p.last);
-        ComposedTap tap = fetchComposedTap(interfaceLobeTable, 0, entryTaps(), p.ray, seen, p.last, through);
-        tap.weight = p.bounced ? p.ray.weight * through : 0.0; // the core stands for its tail
+        ComposedTap tap = leavingTap(p.ray, p.last, k);
+        if (!p.bounced) tap.weight = 0.0;
         beams.bounced = weighted(tap, p.lastPoint, p.lastPath, absorbed(p.lastPath));
     }
     // What is left runs about as far again before it gets out.
@@ -283,7 +330,7 @@ GlassBeams throughTwoFaces(Surface s, float ior) {
 // thrown back is left over.
 GlassBeams outOfSolid(Surface s, float ior) {
     float eta = 1.0 / ior;
-    InterfaceEnergy face = fetchInterfaceEnergy(interfaceEnergyTable, dot(s.n, s.wo), s.alpha, eta);
+    InterfaceEnergy face = faceEnergy(dot(s.n, s.wo), s.alpha, eta);
     vec3 absorption = absorbed(length(s.position - frame.eye.xyz));
     GlassBeams beams;
     beams.within = -1.0;
@@ -294,8 +341,8 @@ GlassBeams outOfSolid(Surface s, float ior) {
     beams.leaving.turn = vec2(0.0);
     beams.rest = noBeam(s.position, s.n);
     beams.bounced = noBeam(s.position, s.n);
-    for (int k = 0; k < entryTaps(); ++k) {
-        InnerTap tap = fetchInnerTap(interfaceLobeTable, k, entryTaps(), s.wo, s.n, s.alpha, eta, face.transmitted);
+    for (int k = 0; k < entryTaps; ++k) {
+        InnerTap tap = enteringTap(k, s, eta, face.transmitted);
         WeightedBeam w;
         w.beam = straightBeam(s.position, tap.direction, tap.sigma);
         w.weight = tap.weight * absorption / (eta * eta);
@@ -377,7 +424,7 @@ vec3 glassRadiance(GlassBeams beams, MirrorBeams mirror) {
             meeting.distance = beams.within;
             meeting.seen = true;
         }
-        int members = (group == 0 && entryTaps() > 1) || (group == 2 && lobeTaps > 1) ? 2 : 1;
+        int members = (group == 0 && entryTaps > 1) || (group == 2 && lobeTaps > 1) ? 2 : 1;
         for (int m = 0; m < members; ++m) {
             if (m == 1) {
                 w = beams.rest;

@@ -31,4 +31,5 @@ layout(constant_id = 41) const bool looksAround = false; // reflections show the
 layout(constant_id = 25) const bool holdsOpaque = false; // something that is in the depth reaches into the box around the solid
 layout(constant_id = 27) const int lobeTaps = 1; // that the table of the reflection lobe holds
 layout(constant_id = 28) const bool seenFromWithin = false; // back faces of the solid can be what the camera sees
+layout(constant_id = 29) const bool isSmooth = false; // alpha 0 on every face: nothing scatters, no table is read
 layout(constant_id = 26) const int interiorPairs = 0; // of front and back faces that the inside is followed through

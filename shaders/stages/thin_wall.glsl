@@ -12,8 +12,24 @@ struct ThinWall {
     float reflectedLater; // what comes back from within, by the mirror's way
 };
 
+ThinWallEnergy wallEnergy(float cosTheta, float alpha, float ior) {
+    if (!isSmooth) return fetchThinWallEnergy(wallEnergyTable, cosTheta, alpha, ior);
+    float f = fresnelDielectricAt(cosTheta, ior);
+    ThinWallEnergy e;
+    e.transmitted = (1.0 - f) / (1.0 + f); // (1 - F)² (1 + F² + F⁴ + ...)
+    e.reflectedFirst = f;
+    e.reflectedLater = f * e.transmitted;
+    return e;
+}
+
 WeightedBeam wallBeam(Surface s, int tap, float ior, float transmitted) {
-    InterfaceTap read = fetchThinWallTap(wallLobeTable, tap, entryTaps(), dot(s.wo, s.n), s.alpha, ior);
+    if (isSmooth) {
+        WeightedBeam straight;
+        straight.beam = straightBeam(s.position, -s.wo, 0.0);
+        straight.weight = vec3(transmitted);
+        return straight;
+    }
+    InterfaceTap read = fetchThinWallTap(wallLobeTable, tap, entryTaps, dot(s.wo, s.n), s.alpha, ior);
     WeightedBeam w;
     w.beam = straightBeam(s.position, interfaceTapDirection(s.wo, s.n, read.angle), read.sigma);
     w.weight = vec3(read.weight * transmitted);
@@ -21,12 +37,12 @@ WeightedBeam wallBeam(Surface s, int tap, float ior, float transmitted) {
 }
 
 ThinWall throughThinWall(Surface s, float ior) {
-    ThinWallEnergy energy = fetchThinWallEnergy(wallEnergyTable, dot(s.wo, s.n), s.alpha, ior);
+    ThinWallEnergy energy = wallEnergy(dot(s.wo, s.n), s.alpha, ior);
     ThinWall wall;
     wall.reflectedLater = energy.reflectedLater;
     wall.through.core = wallBeam(s, 0, ior, energy.transmitted);
     wall.through.rest = noBeam(s.position, s.n);
-    if (entryTaps() > 1) wall.through.rest = wallBeam(s, 1, ior, energy.transmitted);
+    if (entryTaps > 1) wall.through.rest = wallBeam(s, 1, ior, energy.transmitted);
     wall.through.bounced = noBeam(s.position, s.n);
     wall.through.leftOver = noBeam(s.position, s.n);
     wall.through.within = -1.0;

@@ -133,6 +133,19 @@ TEST(needs, taps_are_those_of_the_method) {
   EXPECT_EQ(needs::needs_of(scene, view(Method::lobes2)).lookups.refracted, 2);
 }
 
+TEST(needs, what_scatters_nothing_reads_no_table_and_takes_one_tap) {
+  scene::Scene scene = box(glass(0.0f));
+  add(scene, ball(metal(0.0f)), at({2.5f, 0, 0}));
+  add(scene, square(thin(glass(0.0f))), at({-2.5f, 0, 0}));
+  const Needs smooth = needs::needs_of(scene, view());
+  EXPECT_TRUE(smooth.tables.empty());
+  for (const needs::Draw& draw : smooth.draws.all)
+    EXPECT_EQ(value_of(draw.key, needs::Feature::lobe_taps), 1);
+  // One face that scatters is enough.
+  scene.materials[0].back_alpha = 0.2f;
+  EXPECT_TRUE(has_table(needs::needs_of(scene, view()), "interface-lobes2-ggx"));
+}
+
 TEST(needs, thin_walls_read_tables_of_both_faces_and_none_of_one) {
   const scene::Scene scene = square(thin(glass(0.3f)));
   const Needs needs = needs::needs_of(scene, view(Method::lobes2));
