@@ -292,9 +292,9 @@ Meeting meetBackdrop(vec3 origin, vec3 direction, float sigma, bool guess) {
             met.wall = wall.x;
         }
     }
-    met.from = pixelOf(from);
-    if (met.seen && met.distance > 0.0)
-        met.foreshortening = foreshorteningAt(pixelOf(from + met.distance * along), direction);
+    vec2 at = pixelOf(from + met.distance * along);
+    met.from = guess ? pixelOf(from) : at; // what reflects stands in the picture itself: it is not read
+    if (met.seen && met.distance > 0.0) met.foreshortening = foreshorteningAt(at, direction);
     return met;
 }
 
