@@ -92,8 +92,8 @@ private:
   gpu::Pass material_depth_pass() const;
   gpu::Pass deferred_pass(int sample) const;
   gpu::Pass over_opaque_pass(int sample) const;
-  gpu::Pass reflective_pass(int sample) const;
-  gpu::Pass deferred_reflective_pass(int sample) const;
+  gpu::Pass reflective_pass(const needs::Pass& pass, int sample) const;
+  gpu::Pass deferred_reflective_pass(const needs::Pass& pass, int sample) const;
   gpu::Pass interior_pass(const needs::Pass& pass, int sample);
   gpu::Pass layer_pass(const needs::Pass& pass, int sample) const;
   gpu::Pass accumulate_pass(int sample) const;

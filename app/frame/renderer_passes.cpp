@@ -102,32 +102,34 @@ gpu::Pass Renderer::over_opaque_pass(int sample) const {
           }};
 }
 
-gpu::Pass Renderer::reflective_pass(int sample) const {
+gpu::Pass Renderer::reflective_pass(const needs::Pass& of, int sample) const {
   gpu::Pass pass{.label = "reflective",
                  .colors = {{.view = gpu::whole(color_)}},
                  .depth = gpu::DepthTarget{.view = gpu::whole(depth_)},
                  .reads = sampled(),
-                 .record = [this, sample](gpu::Encoder& encoder) {
+                 .record = [this, sample, glass = of.part == 1](gpu::Encoder& encoder) {
                    begin(encoder, sample);
                    backdrop_->bind(encoder);
-                   record(encoder, reflective_);
+                   for (const auto& [draw, pipeline, cull] : reflective_)
+                     if (!glass || needs::shows_glass(*draw))
+                       draws_.record(encoder, pipeline, *draw, cull);
                  }};
   for (const gpu::View& view : backdrop_->sampled())
     pass.reads.push_back(view);
   return pass;
 }
 
-gpu::Pass Renderer::deferred_reflective_pass(int sample) const {
+gpu::Pass Renderer::deferred_reflective_pass(const needs::Pass& of, int sample) const {
   gpu::Pass pass{.label = "reflective",
                  .colors = {{.view = gpu::whole(color_)}},
                  .depth = geometry_->material_depth(),
                  .reads = sampled(),
-                 .record = [this, sample](gpu::Encoder& encoder) {
+                 .record = [this, sample, glass = of.part == 1](gpu::Encoder& encoder) {
                    begin(encoder, sample);
                    backdrop_->bind(encoder);
                    geometry_->bind(encoder);
                    for (const RecordedRegion& region : reflective_regions_)
-                     shade(encoder, region);
+                     if (!glass || needs::shows_glass(*region.draw)) shade(encoder, region);
                  }};
   pass.reads.push_back(geometry_->sampled());
   for (const gpu::View& view : backdrop_->sampled())
@@ -202,9 +204,9 @@ gpu::Pass Renderer::made(const needs::Pass& pass, int sample) {
   case needs::PassKind::pyramid:
     return backdrop_->level_pass(pass.part);
   case needs::PassKind::reflective:
-    return reflective_pass(sample);
+    return reflective_pass(pass, sample);
   case needs::PassKind::deferred_reflective:
-    return deferred_reflective_pass(sample);
+    return deferred_reflective_pass(pass, sample);
   case needs::PassKind::interior:
     return interior_pass(pass, sample);
   case needs::PassKind::layer:

@@ -182,12 +182,22 @@ std::size_t Needs::triangle_count() const {
   return count;
 }
 
+bool shows_glass(const Draw& reflective) {
+  const auto shading = static_cast<Shading>(value_of(reflective.key, Feature::shading));
+  return shading == Shading::metal || shading == Shading::mixed || shading == Shading::conductor;
+}
+
 bool Needs::reflects_glass() const {
+  const auto shows = [](const Draw* draw) { return shows_glass(*draw); };
+  const bool any = std::ranges::any_of(reflective, shows)
+                   || std::ranges::any_of(reflective_regions, shows, [](const Region* region) {
+                        return region->draws.front();
+                      });
   const auto is_glass = [](const LayerDraw& of) { return !of.draw->is_straight(); };
   const bool blended =
       !over_opaque.empty()
       || std::ranges::any_of(layers, std::not_fn(&std::vector<LayerDraw>::empty), &Layer::blended);
-  return reflects() && !blended && std::ranges::any_of(layers, [&](const Layer& layer) {
+  return any && !blended && std::ranges::any_of(layers, [&](const Layer& layer) {
            return !layer.regions.empty() || std::ranges::any_of(layer.refractive, is_glass);
          });
 }

@@ -69,6 +69,9 @@ struct Needs {
   const Target* target(const std::string& name) const; // null: there is none
 };
 
+// Whether a reflective surface is shaded again for the glass about it: metal. Others reflect a few hundredths of it.
+bool shows_glass(const Draw& reflective);
+
 // Total reflections inside a solid that are followed.
 inline constexpr int most_bounces = 4;
 

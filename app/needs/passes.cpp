@@ -3,6 +3,7 @@
 #include "needs/needs.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace gg::needs {
 namespace {
@@ -110,14 +111,20 @@ public:
   void add_reflective(bool glass) {
     add_backdrop(0, true, 0, glass);
     if (glass && !needs_.reflective_regions.empty()) add_material_depth();
+    const auto is_drawn = [glass](const Draw* draw) { return !glass || shows_glass(*draw); };
+    const auto count = [&](const auto& list, auto draw_of) {
+      return static_cast<std::size_t>(std::ranges::count_if(list, is_drawn, draw_of));
+    };
     Pass pass{.kind = PassKind::reflective,
               .label = "reflective",
-              .draws = needs_.reflective.size(),
+              .part = glass ? 1 : 0,
+              .draws = count(needs_.reflective, std::identity{}),
               .reads = uploads_and({"screen pyramid", "backdrop depth"}),
               .writes = {"scene color"}};
     if (pass.draws > 0) add(pass);
     pass.kind = PassKind::deferred_reflective;
-    pass.draws = needs_.reflective_regions.size();
+    pass.draws = count(needs_.reflective_regions,
+                       [](const Region* region) { return region->draws.front(); });
     pass.reads.insert(pass.reads.begin(), {"geometry", "material depth"});
     if (pass.draws > 0) add(pass);
   }

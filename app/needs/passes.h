@@ -27,9 +27,9 @@ enum class PassKind {
 
 struct Pass {
   PassKind kind = PassKind::opaque;
-  std::string label;                      // of its timer
-  std::size_t layer = 0;                  // of Needs::layers, where it is of one
-  int part = 0;                           // pyramid: level; interior: 0 F1, 1 B1, 2 F2, 3 B2
+  std::string label;     // of its timer
+  std::size_t layer = 0; // of Needs::layers, where it is of one
+  int part = 0; // pyramid: level; interior: 0 F1, 1 B1, 2 F2, 3 B2; reflective: 1 what shows glass
   bool takes_depth = false;               // backdrop: the depth too
   std::size_t draws = 0;                  // of meshes
   std::vector<std::string> reads, writes; // targets and what was uploaded, by name

@@ -374,6 +374,10 @@ TEST(needs, what_reflects_is_shaded_again_once_the_glass_about_it_is_there) {
   const Needs needs = needs::needs_of(scene, view());
   EXPECT_EQ(labels(needs), drawn);
   EXPECT_TRUE(needs.passes.back().kind == needs::PassKind::reflective);
+  // A glossy dielectric shows a few hundredths of it.
+  scene::Scene plaster = square(dielectric(0.3f));
+  add(plaster, box(glass(0.1f)), at({2.5f, 0, 0}));
+  EXPECT_EQ(labels(needs::needs_of(plaster, view())).back(), "refractive");
   // Not under something blended, which would be lost.
   scene::Material veil = dielectric(0.5f);
   veil.alpha_mode = scene::AlphaMode::blend;
