@@ -79,7 +79,7 @@ double Media::ior(SolidId medium, int channel) const {
   const Solid& solid = solids_[static_cast<std::size_t>(medium)];
   if (channel == white || solid.dispersion == 0.0) return solid.ior;
   // KHR_materials_dispersion: red below and blue above, by half of (ior - 1) / 20 times the
-  // dispersion. As in the raster (shaders/stages/glass.glsl) no index falls below a quarter.
+  // dispersion. As in the raster (shaders/stages/glass_faces.glsl) no index falls below a quarter.
   return std::max(solid.ior + 0.025 * (channel - 1) * (solid.ior - 1.0) * solid.dispersion, 0.25);
 }
 

@@ -1,6 +1,6 @@
 // importance_glass.glsl: `--method fisN` through glass: a facet of either face for each of N samples.
 // Frame    world, metres; directions unit.
-// Needs    stages/importance.glsl, stages/glass.glsl.
+// Needs    stages/importance.glsl, stages/glass_beams.glsl, stages/glass_faces.glsl, stages/glass.glsl.
 // Limits   a sample's width is its share of the lobe's first-order width, as the density of two facets in a row has no closed form.
 
 // What of the light's cosines masking leaves, for a facet drawn among those that are seen.

@@ -9,8 +9,12 @@
 #include "stages/environment.glsl"
 #include "stages/surroundings.glsl"
 #include "stages/environment_light.glsl"
+#include "stages/glass_beams.glsl"
+#include "stages/glass_faces.glsl"
+#include "stages/glass_inside.glsl"
 #include "stages/glass.glsl"
 #include "stages/thin_wall.glsl"
+#include "stages/glass_lookups.glsl"
 #include "stages/importance.glsl"
 #include "stages/importance_glass.glsl"
 

@@ -1,6 +1,6 @@
 // thin_wall.glsl: the light that comes through a wall of no thickness, as beams that leave it, and what it adds to the mirror's.
 // Frame    world, metres; directions unit.
-// Needs    stages/glass.glsl.
+// Needs    stages/glass_beams.glsl, stages/glass_faces.glsl.
 // Source   refraction/thin_wall_table.glsl: all orders of reflection between the two faces.
 #include "refraction/thin_wall_table_fetch.glsl"
 

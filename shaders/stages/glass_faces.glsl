@@ -1,0 +1,79 @@
+// glass_faces.glsl: what the faces of glass make of light, one by one.
+// Frame    world; directions unit. eta = n_far / n_near of the face in question.
+// Needs    stages/surface.glsl, interface/material.glsl.
+// Source   refraction/composition.glsl; Snell and Fresnel where nothing scatters.
+#include "bsdf/transmission.glsl"
+#include "refraction/composition_fetch.glsl"
+
+layout(binding = 22) uniform sampler3D interfaceEnergyTable;
+layout(binding = 23) uniform sampler3D interfaceLobeTable;
+
+// KHR_materials_dispersion: red and blue to both sides of the index, by a fortieth of (ior - 1) times the dispersion each.
+float dispersedIor(float ior, float dispersion, int channel) {
+    return max(ior + (float(channel) - 1.0) * 0.025 * (ior - 1.0) * dispersion, 0.25); // the least that the tables hold
+}
+
+// Taps that the tables of this method have: what is composed of two faces needs two of each at most.
+const int entryTaps = method > 1 && method < 100 && !isSmooth ? 2 : 1;
+
+Widening widening() { return distribution == 0 ? wideningGgx(entryTaps) : wideningBeckmann(entryTaps); }
+
+// n as another ray finds it, `apart` from the one that it is known for.
+ExitSurface exitBeside(ExitSurface s, vec3 direction, vec3 apart) {
+    ExitSurface other = s;
+    vec3 along = direction - dot(direction, s.n) * s.n;
+    vec3 t = along * inversesqrt(max(dot(along, along), 1e-12)); // along n every plane is the plane of incidence: no turn
+    vec3 b = cross(s.n, t);
+    other.n = normalize(s.n + s.turn.x * dot(apart, t) * t + s.turn.y * dot(apart, b) * b);
+    return other;
+}
+
+// Of a face of the solid's, as the tables have it or, where nothing scatters, Fresnel and Snell themselves.
+InterfaceEnergy faceEnergy(float cosTheta, float alpha, float eta) {
+    InterfaceEnergy e;
+    if (isSmooth) {
+        e.transmitted = fresnelTransmittedAt(cosTheta, eta);
+        e.reflected = 1.0 - e.transmitted;
+    } else {
+        e = fetchInterfaceEnergy(interfaceEnergyTable, cosTheta, alpha, eta);
+    }
+    return e;
+}
+
+// wo -> where light goes on beyond the face; along -n where it is all thrown back, which has no weight.
+vec3 bentBy(vec3 n, vec3 wo, float eta) {
+    vec3 bent = refractAbout(wo, n, eta);
+    return dot(bent, bent) > 0.0 ? bent : -n;
+}
+
+InnerTap enteringTap(int tap, Surface s, float eta, float energy) {
+    InnerTap inner;
+    if (isSmooth) {
+        inner.direction = bentBy(s.n, s.wo, eta);
+        inner.sigma = 0.0;
+        inner.weight = energy;
+    } else {
+        inner = fetchInnerTap(interfaceLobeTable, tap, entryTaps, s.wo, s.n, s.alpha, eta, energy);
+    }
+    return inner;
+}
+
+// One tap through the face that it meets, by one tap that stands for all of it.
+ComposedTap leavingTap(InnerTap inner, ExitSurface s, Widening k) {
+    ComposedTap tap;
+    float cosTheta = dot(inner.direction, s.n);
+    float through;
+    if (isSmooth) {
+        tap.direction = bentBy(-s.n, -inner.direction, s.eta);
+        tap.sigma = 0.0;
+        tap.inner = 0.0;
+        tap.carried = 0.0;
+        through = fresnelTransmittedAt(cosTheta, s.eta);
+    } else {
+        ExitView seen = seeExit(inner, true, s, k);
+        through = fetchExitEnergy(interfaceEnergyTable, seen, s);
+        tap = fetchComposedTap(interfaceLobeTable, 0, entryTaps, inner, seen, s, through);
+    }
+    tap.weight = cosTheta > 0.0 ? inner.weight * through : 0.0;
+    return tap;
+}

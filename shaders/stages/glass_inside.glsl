@@ -1,0 +1,136 @@
+// glass_inside.glsl: the way of light inside a solid, to the face that it leaves by.
+// Frame    world, metres; directions unit.
+// Needs    stages/glass_faces.glsl, stages/object.glsl, interface/instance.glsl.
+// Source   refraction/exit_search.glsl.
+// Energy   what a face throws back is followed to the next where most of the light is, beyond the critical angle; else it is left over.
+#include "refraction/exit_search_fetch.glsl"
+
+layout(binding = 26) uniform usampler2DArray interior; // stages/interior.frag
+
+layout(constant_id = 42) const int mostBounces = 2; // total reflections that are followed
+
+// Light that has lost its way comes from a cone of about a radian.
+const float LEFT_OVER_SIGMA = 0.5; // radians
+// Of what a diffuse face sends, the mean square of the angle is pi²/8 - 1/2, half of that per axis: nothing leaves a face wider.
+const float HEMISPHERE_SIGMA = 0.606;
+
+InteriorView interiorCamera() { return interiorView(frame.clipFromWorld, frame.worldFromClip, frame.picture.xy); }
+
+// A facet's tilt turns a reflected ray by 2 cos of it, a curved face spreads what is already spread. Tables give a Gaussian of
+// 1 / shape times the slope's width (composition_view.glsl, Widening).
+float reflectedSpread(float sigma, ExitSurface s, float cosTheta, float shape) {
+    float curved = abs(1.0 - 2.0 * s.turn.x) * abs(1.0 - 2.0 * s.turn.y * cosTheta);
+    float facets = 2.0 * cosTheta * s.alpha / shape;
+    return min(sqrt(sigma * sigma * curved + facets * facets), 1.0);
+}
+
+// Length of a unit of the mesh's, metres.
+float meshUnit() {
+    return (length(instance.worldFromMesh[0].xyz) + length(instance.worldFromMesh[1].xyz) +
+            length(instance.worldFromMesh[2].xyz)) / 3.0;
+}
+
+// How the light inside comes to the face that it leaves by.
+struct InnerPath {
+    ExitSurface first;   // where the ray first comes to a face
+    vec3 point;
+    float path;          // metres
+    ExitSurface last;    // after total reflections; the first again if there was none
+    InnerTap ray;        // that comes there
+    vec3 lastPoint;
+    float lastPath;
+    bool bounced;
+    vec3 leftPoint;      // where what is thrown back there is looked for, outside
+    vec3 leftDirection;
+    float leftSigma;
+    float left;          // its energy, of which so much gets out in the end:
+    float escapes;
+};
+
+InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Widening k) {
+    InnerPath p;
+    // A plate: the other face of a mesh that has no far side, whose thickness is given.
+    float across = surfaceThickness() * meshUnit();
+    p.path = across / max(-dot(core.direction, s.n), 0.05); // a ray along the plate leaves it after 20 thicknesses
+    p.point = s.position + p.path * core.direction;
+    p.first.n = -s.n;
+    p.first.alpha = s.alpha;
+    p.first.eta = invIor;
+    p.first.turn = vec2(0.0);
+    p.ray = core;
+    p.ray.weight = entered;
+    p.bounced = false;
+    p.last = p.first;
+    p.lastPoint = p.point;
+    p.lastPath = p.path;
+
+    InteriorView view = interiorCamera();
+    float guess = interiorPairs > 0 ? interiorThickness(interior, view, ivec2(gl_FragCoord.xy), objectId()) : 0.0;
+    vec3 from = s.position;
+    float run = 0.0;
+    for (int bounce = 0; bounce <= mostBounces; ++bounce) {
+        if (interiorPairs > 0) {
+            ExitHit hit = findExit(interior, view, interiorPairs, objectId(), from, p.ray.direction, guess, bounce > 0);
+            if (hit.found > 0.0) {
+                run += hit.distance;
+                p.last.n = hit.n;
+                p.last.alpha = hit.alpha;
+                p.last.turn = exitTurn(dot(p.ray.direction, hit.n), run, hit.curvature);
+                p.lastPoint = hit.point;
+                p.lastPath = run;
+                if (bounce == 0) {
+                    p.first = p.last;
+                    p.point = p.lastPoint;
+                    p.path = run;
+                }
+                p.bounced = bounce > 0;
+            } else if (bounce > 0) {
+                // Of a wall thinner than the search resolves it is the face that the light came in by.
+                float back = dot(p.ray.direction, s.n);
+                if (!(back > 0.0)) break;
+                float across = p.path * max(-dot(core.direction, s.n), 0.0) / back;
+                run += across;
+                p.last.n = s.n;
+                p.last.alpha = s.alpha;
+                p.last.turn = vec2(0.0);
+                p.lastPoint = from + across * p.ray.direction;
+                p.lastPath = run;
+                p.bounced = true;
+            }
+        }
+        ExitView seen = seeExit(p.ray, true, p.last, k);
+        InterfaceEnergy face = faceEnergy(max(seen.cosTheta, 0.0), seen.alphaReflected, invIor);
+        float thrownBack = p.ray.weight * face.reflected;
+        // Of what is thrown back again and again, each time with the same shares, so much gets out: single scattering loses
+        // the rest. A smooth face loses nothing: below a hundredth it is the table's rounding.
+        float lost = max(1.0 - face.reflected - face.transmitted - 0.01, 0.0);
+        p.escapes = face.transmitted + lost > 0.0 ? face.transmitted / (face.transmitted + lost) : 1.0;
+        float spread = reflectedSpread(p.ray.sigma, p.last, seen.cosTheta, k.shape);
+        vec3 reflected = reflect(p.ray.direction, p.last.n);
+        p.left = thrownBack;
+        // Beyond the critical angle, of rough curved faces and in bodies that are not convex it wanders: of all guesses, what is
+        // behind the body is nearest to brute force.
+        p.leftPoint = p.lastPoint;
+        p.leftDirection = -s.wo;
+        p.leftSigma = max(spread, LEFT_OVER_SIGMA);
+        bool isFlat = p.last.turn == vec2(0.0);
+        if (interiorPairs < 2 && thrownBack < 0.5 * p.ray.weight && (isFlat || spread < LEFT_OVER_SIGMA)) {
+            // Else what a convex body throws back leaves by its near face: of a plate that is the one that is seen, of a curved body the
+            // one that the sphere with the same chord has there.
+            vec3 near = isFlat ? s.n : normalize(p.last.n + 2.0 * dot(p.ray.direction, p.last.n) * reflected);
+            vec3 outward = refractAbout(-reflected, -near, invIor);
+            if (dot(outward, near) > 0.0) {
+                p.leftPoint = p.lastPoint + distance(p.lastPoint, from) * reflected; // chords of one length
+                p.leftDirection = outward;
+                p.leftSigma = min(spread / invIor, HEMISPHERE_SIGMA); // small angles grow by the index there
+            }
+        }
+        // Followed where most of the light is: beyond the critical angle.
+        if (interiorPairs == 0 || bounce == mostBounces || thrownBack < 0.5 * p.ray.weight) break;
+        p.ray.sigma = spread;
+        p.ray.direction = reflected;
+        p.ray.weight = thrownBack;
+        from = p.lastPoint;
+    }
+    return p;
+}
