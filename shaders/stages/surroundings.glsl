@@ -337,7 +337,7 @@ vec3 beamRadiance(Beam beam, Meeting meeting) {
         // is read as far back on its way as it reaches, two sigma, is a share of that; from where it begins if that is all.
         if (meeting.hidden) {
             vec2 back = meeting.from - at;
-            at += back * min(4.0 * pixels * pixels / max(dot(back, back), 1e-6), 1.0);
+            at += back * min(4.0 * pixels * pixels / max(dot(back, back), 1e-6), 1.0); // a thousandth of a pixel is no way
         }
         // Off the picture the sky is known better from the environment. A surface is not: its border stands for it, ever more
         // blurred, and fades as the picture's size tells how far a guess may reach: not where a wall is known to go on.
