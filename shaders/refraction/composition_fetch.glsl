@@ -34,10 +34,13 @@ ComposedTap fetchComposedTap(sampler3D lobeTable, int tap, int taps, InnerTap in
   return composeTap(inner, view, s, read.angle, read.sigma, read.weight, energy);
 }
 
-// With an entry of one tap.
-ComposedTap fetchComposed(sampler3D energyTable, sampler3D lobeTable, InnerTap inner, ExitSurface s, Widening k) {
+// One tap through the exit that it meets, by the first of the table's `taps`, which stands for all.
+ComposedTap fetchComposed(sampler3D energyTable, sampler3D lobeTable, int taps, InnerTap inner, ExitSurface s, Widening k) {
   ExitView view = seeExit(inner, true, s, k);
-  return fetchComposedTap(lobeTable, 0, 1, inner, view, s, fetchExitEnergy(energyTable, view, s));
+  float energy = fetchExitEnergy(energyTable, view, s);
+  ComposedTap tap = fetchComposedTap(lobeTable, 0, taps, inner, view, s, energy);
+  tap.weight = view.cosTheta > 0.0 ? inner.weight * energy : 0.0;
+  return tap;
 }
 
 // One first tap, through the exit that it meets, with a table of two.

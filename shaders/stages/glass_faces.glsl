@@ -61,19 +61,15 @@ InnerTap enteringTap(int tap, Surface s, float eta, float energy) {
 // One tap through the face that it meets, by one tap that stands for all of it.
 ComposedTap leavingTap(InnerTap inner, ExitSurface s, Widening k) {
     ComposedTap tap;
-    float cosTheta = dot(inner.direction, s.n);
-    float through;
     if (isSmooth) {
+        float cosTheta = dot(inner.direction, s.n);
         tap.direction = bentBy(-s.n, -inner.direction, s.eta);
         tap.sigma = 0.0;
         tap.inner = 0.0;
         tap.carried = 0.0;
-        through = fresnelTransmittedAt(cosTheta, s.eta);
+        tap.weight = cosTheta > 0.0 ? inner.weight * fresnelTransmittedAt(cosTheta, s.eta) : 0.0;
     } else {
-        ExitView seen = seeExit(inner, true, s, k);
-        through = fetchExitEnergy(interfaceEnergyTable, seen, s);
-        tap = fetchComposedTap(interfaceLobeTable, 0, entryTaps, inner, seen, s, through);
+        tap = fetchComposed(interfaceEnergyTable, interfaceLobeTable, entryTaps, inner, s, k);
     }
-    tap.weight = cosTheta > 0.0 ? inner.weight * through : 0.0;
     return tap;
 }
