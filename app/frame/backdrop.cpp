@@ -3,12 +3,12 @@
 namespace gg::frame {
 
 // Floats of 32 bits: a sun in the picture exceeds half floats, and its blur must not.
-Backdrop::Backdrop(gpu::Device& device, int width, int height, int levels, bool with_depth)
+Backdrop::Backdrop(gpu::Device& device, const Desc& desc)
     : pyramid_(device.create(gpu::TextureDesc{.label = "screen pyramid",
                                               .format = gpu::Format::rgba32f,
-                                              .width = width,
-                                              .height = height,
-                                              .levels = levels,
+                                              .width = desc.width,
+                                              .height = desc.height,
+                                              .levels = desc.levels,
                                               .use = gpu::Use::attachment | gpu::Use::sampled})),
       linear_(device.create(gpu::SamplerDesc{.between_levels = gpu::Filter::linear})),
       nearest_(device.create(
@@ -18,17 +18,21 @@ Backdrop::Backdrop(gpu::Device& device, int width, int height, int levels, bool 
                                                   .fragment = "backdrop.frag",
                                                   .constants = {gpu::constant(0, false)},
                                                   .colors = {gpu::Format::rgba32f}})) {
-  if (levels > 1)
+  if (desc.levels > 1)
     halve_ = device.create(gpu::PipelineDesc{.label = "pyramid",
                                              .vertex = "fullscreen.vert",
                                              .fragment = "pyramid.frag",
                                              .colors = {gpu::Format::rgba32f}});
-  if (!with_depth) return;
-  depth_ = device.create(gpu::TextureDesc{.label = "backdrop depth",
+  const auto depth = [&](const char* name) {
+    return device.create(gpu::TextureDesc{.label = name,
                                           .format = gpu::Format::r32f,
-                                          .width = width,
-                                          .height = height,
+                                          .width = desc.width,
+                                          .height = desc.height,
                                           .use = gpu::Use::attachment | gpu::Use::sampled});
+  };
+  if (desc.depth) depth_ = depth("backdrop depth");
+  if (desc.glass_depth) glass_depth_ = depth("glass depth");
+  if (!depth_ && !glass_depth_) return;
   copy_ = device.create(gpu::PipelineDesc{.label = "backdrop",
                                           .vertex = "fullscreen.vert",
                                           .fragment = "backdrop.frag",
@@ -36,9 +40,11 @@ Backdrop::Backdrop(gpu::Device& device, int width, int height, int levels, bool 
 }
 
 gpu::Pass Backdrop::copy_pass(const gpu::TextureRef& color, const gpu::TextureRef& depth,
-                              bool takes_depth) const {
+                              const needs::Pass& takes) const {
   std::vector<gpu::ColorTarget> targets{{.view = level(0)}};
-  if (takes_depth) targets.push_back({.view = gpu::whole(depth_)});
+  const bool takes_depth = takes.takes_depth || takes.takes_glass_depth;
+  if (takes_depth)
+    targets.push_back({.view = gpu::whole(takes.takes_depth ? depth_ : glass_depth_)});
   return {.label = "backdrop",
           .colors = targets,
           .reads = {gpu::whole(color), gpu::whole(depth)},
@@ -82,14 +88,17 @@ gpu::Pass Backdrop::level_pass(int l) const {
           }};
 }
 
-void Backdrop::bind(gpu::Encoder& encoder) const {
+void Backdrop::bind(gpu::Encoder& encoder, bool behind_glass) const {
   encoder.texture("screenPyramid", gpu::whole(pyramid_), linear_);
   if (depth_) encoder.texture("backdropDepth", gpu::whole(depth_), nearest_);
+  if (const gpu::TextureRef& hides = behind_glass ? glass_depth_ : depth_)
+    encoder.texture("hidingDepth", gpu::whole(hides), nearest_);
 }
 
 std::vector<gpu::View> Backdrop::sampled() const {
   std::vector<gpu::View> views{gpu::whole(pyramid_)};
   if (depth_) views.push_back(gpu::whole(depth_));
+  if (glass_depth_) views.push_back(gpu::whole(glass_depth_));
   return views;
 }
 

@@ -11,27 +11,31 @@ namespace gg::frame {
 
 class Backdrop {
 public:
-  // With one level there is no blur, and the depth is only there if something looks for what it shows.
-  Backdrop(gpu::Device& device, int width, int height, int levels, bool with_depth);
+  struct Desc {
+    int width, height, levels;
+    bool depth;       // something looks for what it shows; with one level there is no blur
+    bool glass_depth; // glass of one layer may hide parts of the next
+  };
+  Backdrop(gpu::Device& device, const Desc& desc);
 
-  // Takes the frame as it is when the pass runs; with `takes_depth` its depth too.
+  // Takes the frame as it is when the pass runs; its depth too, as what lookups meet or as the glass's.
   gpu::Pass copy_pass(const gpu::TextureRef& color, const gpu::TextureRef& depth,
-                      bool takes_depth) const;
+                      const needs::Pass& takes) const;
   // Cuts out what `foreground` draws; `begin` binds what all draws of the frame share.
   gpu::Pass foreground_pass(const gpu::TextureRef& depth, Draws& draws,
                             const std::vector<const needs::Draw*>& foreground,
                             const std::function<void(gpu::Encoder&)>& begin) const;
   gpu::Pass level_pass(int level) const; // from the one before; level >= 1
 
-  // Binds it for stages/surroundings.glsl.
-  void bind(gpu::Encoder& encoder) const;
+  // Binds it for stages/surroundings.glsl and, of a layer, refractive_region.frag.
+  void bind(gpu::Encoder& encoder, bool behind_glass = false) const;
   std::vector<gpu::View> sampled() const; // what bind() binds
   int last_level() const { return pyramid_->desc.levels - 1; }
 
 private:
   gpu::View level(int l) const { return {pyramid_, l, 1, 0, 1}; }
 
-  gpu::TextureRef pyramid_, depth_; // depth null if there is none
+  gpu::TextureRef pyramid_, depth_, glass_depth_; // null if there is none
   gpu::SamplerRef linear_, nearest_;
   gpu::PipelineRef copy_, copy_color_, halve_;
 };

@@ -81,8 +81,12 @@ void Renderer::make_targets() {
   depth_ = target("scene depth", depth_format, gpu::Use::sampled);
   if (needs_.target("average")) average_ = target("average", color_format, gpu::Use::read_back);
   if (const needs::Target* pyramid = needs_.target("screen pyramid"))
-    backdrop_.emplace(device_, desc_.width, desc_.height, pyramid->levels,
-                      needs_.target("backdrop depth") != nullptr);
+    backdrop_.emplace(device_,
+                      Backdrop::Desc{.width = desc_.width,
+                                     .height = desc_.height,
+                                     .levels = pyramid->levels,
+                                     .depth = needs_.target("backdrop depth") != nullptr,
+                                     .glass_depth = needs_.target("glass depth") != nullptr});
   if (const needs::Target* interior = needs_.target("interior"))
     interior_.emplace(device_, desc_.width, desc_.height, interior->layers / 2);
   if (needs_.target("geometry")) geometry_.emplace(device_, desc_.width, desc_.height);

@@ -2,6 +2,8 @@
 #include "environment/stack.h"
 #include "frame/renderer.h"
 
+#include <algorithm>
+
 namespace gg::frame {
 
 void Renderer::bind_environment(gpu::Encoder& encoder) const {
@@ -156,10 +158,14 @@ gpu::Pass Renderer::layer_pass(const needs::Pass& of, int sample) const {
     for (const gpu::View& view : backdrop_->sampled())
       pass.reads.push_back(view);
   if (!layer.solids.empty()) pass.reads.push_back(interior_->sampled());
-  pass.record = [this, sample, &layer, &records = layers_[of.layer],
+  // Where the backdrop's depth was taken anew for the layer, it is the glass's too.
+  const bool behind_glass = std::ranges::any_of(needs_.passes, [&](const needs::Pass& p) {
+    return p.layer == of.layer && p.takes_glass_depth;
+  });
+  pass.record = [this, sample, behind_glass, &layer, &records = layers_[of.layer],
                  &regions = layer_regions_[of.layer]](gpu::Encoder& encoder) {
     begin(encoder, sample);
-    if (layer.shows_behind()) backdrop_->bind(encoder);
+    if (layer.shows_behind()) backdrop_->bind(encoder, behind_glass);
     if (!layer.solids.empty()) interior_->bind(encoder);
     for (const RecordedRegion& region : regions) {
       record(encoder, region.first);
@@ -196,7 +202,7 @@ gpu::Pass Renderer::made(const needs::Pass& pass, int sample) {
   case needs::PassKind::over_opaque:
     return over_opaque_pass(sample);
   case needs::PassKind::backdrop:
-    return backdrop_->copy_pass(color_, depth_, pass.takes_depth);
+    return backdrop_->copy_pass(color_, depth_, pass);
   case needs::PassKind::foreground:
     return backdrop_->foreground_pass(
         depth_, draws_, needs_.layers[pass.layer].foreground,

@@ -93,14 +93,19 @@ std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& c
   std::vector<std::size_t> at(items.size(), 0);
   std::vector<Layer> layers;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j)
-      if (items[i].box.overlaps(items[j].box))
-        // Blended surfaces need no picture of what is behind them: they lie over it in order.
-        at[i] = std::max(at[i], at[j] + (items[i].blended ? 0 : 1));
+    bool interleaves = false;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!items[i].box.overlaps(items[j].box)) continue;
+      // Blended surfaces need no picture of what is behind them: they lie over it in order.
+      at[i] = std::max(at[i], at[j] + (items[i].blended ? 0 : 1));
+      if (!items[j].blended && items[j].box.nearest_depth > items[i].box.farthest_depth)
+        interleaves = true;
+    }
     at[i] = std::min(at[i], most - 1);
     layers.resize(std::max(layers.size(), at[i] + 1));
     Layer& layer = layers[at[i]];
     if (std::ranges::all_of(items[i].draws, [](const LayerDraw& d) { return d.draw->by_pixel; })) {
+      layer.interleaves = layer.interleaves || interleaves;
       Region& region = layer.regions.emplace_back(Region{{}, items[i].box});
       for (const LayerDraw& part : items[i].draws)
         region.draws.push_back(part.draw);

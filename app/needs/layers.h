@@ -46,6 +46,8 @@ struct Layer {
     return !refractive.empty() || !regions.empty();
   }                   // what is behind it, as a picture
   bool blurs = false; // and shifts it: needs that picture's pyramid and depth
+  bool interleaves =
+      false; // what is shaded by its pixels may stand, in parts, behind glass of a layer before
 };
 
 // Refractive and blended draws by layer, the farthest first. The parts of a solid (one instance, one

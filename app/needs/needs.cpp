@@ -92,6 +92,8 @@ std::vector<Target> targets_of(const Needs& needs) {
     targets.push_back(
         target("screen pyramid", Texel::rgba32f, 1, blurs ? pyramid_levels(width, height) : 1));
   if (blurs) targets.push_back(target("backdrop depth", Texel::r32f));
+  if (std::ranges::any_of(needs.layers, &Layer::interleaves))
+    targets.push_back(target("glass depth", Texel::r32f));
   if (pairs > 0) {
     targets.push_back(target("interior", Texel::rgba32ui, 2 * pairs));
     targets.push_back(target("interior depth", Texel::depth32f));

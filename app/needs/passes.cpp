@@ -40,9 +40,12 @@ public:
                   .takes_depth = takes_depth,
                   .reads = {"scene color"},
                   .writes = {"screen pyramid 0"}};
-    if (takes_depth) {
+    // Taken anew, the one holds the other.
+    backdrop.takes_glass_depth =
+        !takes_depth && layer < needs_.layers.size() && needs_.layers[layer].interleaves;
+    if (takes_depth || backdrop.takes_glass_depth) {
       backdrop.reads.emplace_back("scene depth");
-      backdrop.writes.emplace_back("backdrop depth");
+      backdrop.writes.emplace_back(takes_depth ? "backdrop depth" : "glass depth");
     }
     add(backdrop);
     if (!blurs) return;
@@ -155,6 +158,7 @@ public:
               .writes = {"scene color", "scene depth"}};
     if (layer.shows_behind()) pass.reads.emplace_back("screen pyramid");
     if (layer.blurs) pass.reads.emplace_back("backdrop depth");
+    if (layer.interleaves) pass.reads.emplace_back("glass depth");
     if (!layer.solids.empty()) pass.reads.emplace_back("interior");
     pass.reads = uploads_and(pass.reads);
     add(pass);

@@ -9,6 +9,8 @@
 #include "interface/material.glsl"
 #include "stages/material_features.glsl"
 
+layout(binding = 31) uniform sampler2D hidingDepth; // of what is opaque and of glass that was drawn before and may hide this
+
 layout(location = 0) out vec4 outColor; // premultiplied
 
 // What opaque.vert would have sent.
@@ -25,8 +27,8 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     uvec4 texel = texelFetch(interior, ivec3(at, 0), 0);
     float depth = uintBitsToFloat(texel.x);
-    // Where the solid is not, or stands behind something opaque, what is there stays. The depth test has left out most of that.
-    bool shown = texel.w == objectId() && depth >= texelFetch(backdropDepth, at, 0).x;
+    // Where the solid is not, or stands behind something, what is there stays. The depth test has left out most of that.
+    bool shown = texel.w == objectId() && depth >= texelFetch(hidingDepth, at, 0).x;
     InteriorSurface s = interiorSurface(interiorCamera(), texel, at);
     inPosition = s.point;
     inNormal = s.n;

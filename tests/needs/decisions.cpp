@@ -253,6 +253,23 @@ TEST(needs, a_solid_is_drawn_by_its_pixels_where_the_mesh_has_no_more_to_say) {
   EXPECT_EQ(masked.layers[0].refractive.size(), 1u);
 }
 
+// Of what is shaded by its triangles the depth test knows.
+TEST(needs, the_depth_of_glass_is_taken_where_it_may_hide_parts_of_a_solid_drawn_later) {
+  const auto taken = [](float z, scene::Material material) {
+    scene::Scene scene = box(glass(0.1f)); // flat faces: what lookups meet is not taken anew
+    scene.instances[0].world = at({0.9f, 0, z});
+    add(scene, ball(material), at({-0.9f, 0, 0}));
+    const Needs needs = needs::needs_of(scene, view());
+    EXPECT_EQ(needs.layers.size(), 2u);
+    return needs.target("glass depth") != nullptr;
+  };
+  EXPECT_TRUE(taken(-0.5f, glass(0.1f))); // the box lies farther, its front before the ball's back
+  EXPECT_FALSE(taken(-3.0f, glass(0.1f)));
+  scene::Material masked = glass(0.1f);
+  masked.alpha_mode = scene::AlphaMode::mask;
+  EXPECT_FALSE(taken(-0.5f, masked));
+}
+
 TEST(needs, back_faces_of_a_closed_solid_are_seen_only_where_the_near_plane_cuts_it) {
   const auto seen_from_within = [](bool double_sided, float distance) {
     scene::Scene scene = box(glass(0.1f));
