@@ -59,9 +59,13 @@ ComposedPair fetchComposedPair(sampler3D energyTable, sampler3D lobeTable, Inner
                     fetchExitPair(energyTable, lobeTable, tail, false, tailExit, k));
 }
 
+// A spread of rays changes what passes. What facets hide of what they scatter, and single scattering loses, is the face's own.
+float keptByFace(InterfaceEnergy own) { return own.reflected + own.transmitted; }
+
 float fetchReflectedInside(sampler3D energyTable, InnerTap inner, ExitView view, ExitSurface s) {
   if (!(view.cosTheta > 0.0) || abs(s.eta - 1.0) < INDEX_MATCHED) return 0.0;
-  return inner.weight * fetchInterfaceEnergy(energyTable, view.cosTheta, view.alphaReflected, s.eta).reflected;
+  float kept = keptByFace(fetchInterfaceEnergy(energyTable, view.cosTheta, s.alpha, s.eta));
+  return inner.weight * max(kept - fetchExitEnergy(energyTable, view, s), 0.0);
 }
 
 // next: where the mean reflected ray leaves, at the angle cosTheta.

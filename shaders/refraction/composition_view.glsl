@@ -29,8 +29,6 @@ struct Widening {
   float shapeRays;  // the same where the face is smooth and all of the width the ray's: then only the tables' core is read
   float energyCore; // for the energy let through: of the entry's first tap, of its second
   float energyTail;
-  float reflectedCore; // for the energy thrown back inside
-  float reflectedTail;
 };
 
 // The exit as one inner tap sees it.
@@ -38,7 +36,6 @@ struct ExitView {
   float cosTheta;    // on the inner side; not above 0: the tap does not meet this face
   float alphaShape;  // where the lobe is read
   float alphaEnergy; // where what passes is read
-  float alphaReflected;
   float own;   // the share of alphaShape² that is the face's own
   float swing; // turn of the angle of incidence per radian of the inner direction, not 0
 };
@@ -50,8 +47,6 @@ Widening wideningGgx(int taps) {
   k.shapeRays = taps > 1 ? 0.91 : 0.6;
   k.energyCore = taps > 1 ? 1.05 : 0.95;
   k.energyTail = 0.85;
-  k.reflectedCore = taps > 1 ? 1.0 : 0.8;
-  k.reflectedTail = 0.6;
   return k;
 }
 
@@ -62,8 +57,6 @@ Widening wideningBeckmann(int taps) {
   k.shapeRays = taps > 1 ? 1.3 : 1.2;
   k.energyCore = taps > 1 ? 1.3 : 1.5;
   k.energyTail = 1.6;
-  k.reflectedCore = 1.3;
-  k.reflectedTail = 1.2;
   return k;
 }
 
@@ -97,10 +90,8 @@ ExitView seeExit(InnerTap inner, bool core, ExitSurface s, Widening k) {
   float shape = mix(k.shape, k.shapeRays, rays);
   float shape2 = alpha2 + shape * shape * spread2;
   float energy = core ? k.energyCore : k.energyTail;
-  float reflected = core ? k.reflectedCore : k.reflectedTail;
   v.alphaShape = min(sqrt(shape2), 1.0);
   v.alphaEnergy = min(sqrt(alpha2 + energy * energy * spread2), 1.0);
-  v.alphaReflected = min(sqrt(alpha2 + reflected * reflected * spread2), 1.0);
   v.own = shape2 > 0.0 ? alpha2 / shape2 : 1.0;
   return v;
 }

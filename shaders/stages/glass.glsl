@@ -41,7 +41,7 @@ GlassBeams throughTwoFaces(Surface s, float ior) {
     }
     // What is left runs about as far again before it gets out.
     beams.leftOver.beam = straightBeam(p.leftPoint, p.leftDirection, p.leftSigma);
-    beams.leftOver.weight = p.left * p.escapes * absorbed(2.0 * p.lastPath);
+    beams.leftOver.weight = p.left * absorbed(2.0 * p.lastPath);
 
     if (holdsOpaque) {
         Meeting inside = meetBackdrop(s.position, core.direction, core.sigma, true);

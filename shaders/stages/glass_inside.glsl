@@ -3,13 +3,20 @@
 // Needs    stages/glass_faces.glsl, stages/object.glsl, interface/instance.glsl.
 // Source   refraction/exit_search.glsl.
 // Energy   what a face throws back is followed to the next where most of the light is, beyond the critical angle; else it is left over.
+//          A spread of rays changes what passes. What facets hide of what they scatter, single scattering loses: the face's own.
 #include "refraction/exit_search_fetch.glsl"
+#include "refraction/wandering.glsl"
 
 layout(binding = 26) uniform usampler2DArray interior; // stages/interior.frag
 
 layout(constant_id = 42) const int mostBounces = 2; // total reflections that are followed
 
-// Light that has lost its way comes from a cone of about a radian.
+// Light that has lost its way in a body that is not convex leaves it on all sides alike: after two reflections inside, paths through
+// the material ball have a mean direction of .1. Smooth walls, between which few ways are open, keep it going forwards.
+const bool losesItsWay = interiorPairs > 1 && !isSmooth;
+// Of what gets out of such a body about half meets it again (paths through the material ball and Suzanne).
+const float MEETS_AGAIN = 0.5;
+// Where it goes forwards it comes from a cone of about a radian.
 const float LEFT_OVER_SIGMA = 0.5; // radians
 // Of what a diffuse face sends, the mean square of the angle is pi²/8 - 1/2, half of that per axis: nothing leaves a face wider.
 const float HEMISPHERE_SIGMA = 0.606;
@@ -43,8 +50,7 @@ struct InnerPath {
     vec3 leftPoint;      // where what is thrown back there is looked for, outside
     vec3 leftDirection;
     float leftSigma;
-    float left;          // its energy, of which so much gets out in the end:
-    float escapes;
+    float left;          // its energy that gets out in the end
 };
 
 InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Widening k) {
@@ -64,6 +70,9 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
     p.lastPoint = p.point;
     p.lastPath = p.path;
 
+    WanderingLoss loss = wanderingLossBeckmann();
+    if (distribution == 0) loss = wanderingLossGgx();
+    float passedBetween = 0.0; // at faces that the light is followed beyond
     InteriorView view = interiorCamera();
     float guess = interiorPairs > 0 ? interiorThickness(interior, view, ivec2(gl_FragCoord.xy), objectId()) : 0.0;
     vec3 from = s.position;
@@ -99,17 +108,17 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
             }
         }
         ExitView seen = seeExit(p.ray, true, p.last, k);
-        InterfaceEnergy face = faceEnergy(max(seen.cosTheta, 0.0), seen.alphaReflected, invIor);
-        float thrownBack = p.ray.weight * face.reflected;
-        // Of what is thrown back again and again, each time with the same shares, so much gets out: single scattering loses
-        // the rest. A smooth face loses nothing: below a hundredth it is the table's rounding.
-        float lost = max(1.0 - face.reflected - face.transmitted - 0.01, 0.0);
-        p.escapes = face.transmitted + lost > 0.0 ? face.transmitted / (face.transmitted + lost) : 1.0;
+        InterfaceEnergy own = faceEnergy(max(seen.cosTheta, 0.0), p.last.alpha, invIor);
+        float kept = own.reflected + own.transmitted;
+        float passes = min(faceEnergy(max(seen.cosTheta, 0.0), seen.alphaEnergy, invIor).transmitted, kept);
+        float thrownBack = p.ray.weight * (kept - passes);
         float spread = reflectedSpread(p.ray.sigma, p.last, seen.cosTheta, k.shape);
         vec3 reflected = reflect(p.ray.direction, p.last.n);
-        p.left = thrownBack;
         // Beyond the critical angle, of rough curved faces and in bodies that are not convex it wanders: of all guesses, what is
-        // behind the body is nearest to brute force.
+        // behind a convex body is nearest to brute force.
+        float escapes = wanderingEscapes(p.last.alpha, 1.0 / invIor, loss);
+        if (losesItsWay) escapes = wanderingLeaves(escapes, MEETS_AGAIN);
+        p.left = thrownBack * escapes + passedBetween;
         p.leftPoint = p.lastPoint;
         p.leftDirection = -s.wo;
         p.leftSigma = max(spread, LEFT_OVER_SIGMA);
@@ -120,6 +129,10 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
             vec3 near = isFlat ? s.n : normalize(p.last.n + 2.0 * dot(p.ray.direction, p.last.n) * reflected);
             vec3 outward = refractAbout(-reflected, -near, invIor);
             if (dot(outward, near) > 0.0) {
+                // Again and again, each time with the same shares. A smooth face loses nothing: below a hundredth it is the
+                // table's rounding.
+                float lost = max(1.0 - kept - 0.01, 0.0);
+                p.left = passes + lost > 0.0 ? thrownBack * passes / (passes + lost) : thrownBack;
                 p.leftPoint = p.lastPoint + distance(p.lastPoint, from) * reflected; // chords of one length
                 p.leftDirection = outward;
                 p.leftSigma = min(spread / invIor, HEMISPHERE_SIGMA); // small angles grow by the index there
@@ -127,6 +140,7 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
         }
         // Followed where most of the light is: beyond the critical angle.
         if (interiorPairs == 0 || bounce == mostBounces || thrownBack < 0.5 * p.ray.weight) break;
+        if (losesItsWay && bounce > 0) passedBetween += p.ray.weight * passes;
         p.ray.sigma = spread;
         p.ray.direction = reflected;
         p.ray.weight = thrownBack;

@@ -24,6 +24,11 @@ vec3 lightsAlong(Beam beam) {
 // meeting.
 vec3 glassRadiance(GlassBeams beams, MirrorBeams mirror) {
     vec3 sum = vec3(0.0);
+    // What comes from behind the viewer no picture shows.
+    if (losesItsWay && hasEnvironment && transmission == 2) {
+        beams.leftOver.weight *= 0.5;
+        sum += beams.leftOver.weight * wideRadiance(-beams.leftOver.beam.direction);
+    }
     float bounced = largest(beams.bounced.weight) > 0.0 ? 1.0 : 0.0;
     vec3 wanted = vec3(bounced, looked(mirror.core.weight + mirror.rest.weight), looked(beams.leftOver.weight));
     // Lanes of a group run as long as the longest: the way is short where nothing but the core is looked for.

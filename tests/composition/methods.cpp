@@ -97,10 +97,9 @@ double reflected_inside(const Configuration& c) {
     const InnerTap inner = inner_tap(c, i, 2);
     const ExitSurface s = exit_of(c, inner.direction);
     const ExitView view = f64::seeExit(inner, i == 0, s, widening(c.model, 2));
-    if (view.cosTheta > 0.0)
-      sum += inner.weight
-             * tables::interface_energy_at(c.model, view.cosTheta, view.alphaReflected, s.eta)
-                   .reflected;
+    if (!(view.cosTheta > 0.0)) continue;
+    const auto own = tables::interface_energy_at(c.model, view.cosTheta, s.alpha, s.eta);
+    sum += inner.weight * std::max(own.reflected + own.transmitted - passed(c, view, s), 0.0);
   }
   return sum;
 }

@@ -259,7 +259,7 @@ struct Extremes {
                                     && tap.sigma < 100 && tap.weight >= 0 && tap.weight <= 1
                                     && std::abs(tap.carried) <= tap.sigma && view.alphaShape >= 0
                                     && view.alphaShape <= 1 && view.alphaEnergy <= 1
-                                    && view.alphaReflected <= 1 && view.own >= 0 && view.own <= 1;
+                                    && view.own >= 0 && view.own <= 1;
                   ++count;
                   if (!fine && ++bad < 5)
                     ADD_FAILURE() << "cos " << c << " eta " << eta << " width " << width
