@@ -2,9 +2,9 @@
 // Needs    stages/glass_beams.glsl, stages/glass_faces.glsl, stages/punctual_lights.glsl.
 // Form     every lookup is made in one place: machines that run pixels in lockstep pay for all that is written, taken or not.
 
-// How far a beam is looked for on the picture: what brings less than glass reflects of light that meets it squarely, 4 %, is not,
-// at twice that it is in full. The environment stands in.
-float looked(vec3 weight) { return looksAround ? smoothstep(0.04, 0.08, largest(weight)) : 0.0; }
+// How far a beam is looked for on the picture: what brings less of all that is seen than clear glass reflects of light that meets
+// it squarely, 4 %, is not, at twice that it is in full. The environment stands in. Glass that absorbs shows little but its mirror.
+float looked(vec3 weight, vec3 all) { return looksAround ? smoothstep(0.04, 0.08, largest(weight / max(all, vec3(1e-6)))) : 0.0; }
 
 // Punctual lights as a beam sees them, by its density at their directions: a Gaussian of its own width. A smooth path shows a
 // point of light to nobody.
@@ -30,7 +30,9 @@ vec3 glassRadiance(GlassBeams beams, MirrorBeams mirror) {
         sum += beams.leftOver.weight * wideRadiance(-beams.leftOver.beam.direction);
     }
     float bounced = largest(beams.bounced.weight) > 0.0 ? 1.0 : 0.0;
-    vec3 wanted = vec3(bounced, looked(mirror.core.weight + mirror.rest.weight), looked(beams.leftOver.weight));
+    vec3 reflected = mirror.core.weight + mirror.rest.weight;
+    vec3 all = reflected + beams.core.weight + beams.rest.weight + beams.bounced.weight + beams.leftOver.weight;
+    vec3 wanted = vec3(bounced, looked(reflected, all), looked(beams.leftOver.weight, all));
     // Lanes of a group run as long as the longest: the way is short where nothing but the core is looked for.
     int group = 0;
     while (group < 4) {
