@@ -39,9 +39,10 @@ GlassBeams throughTwoFaces(Surface s, float ior) {
         if (!p.bounced) tap.weight = 0.0;
         beams.bounced = weighted(tap, p.lastPoint, p.lastPath, absorbed(p.lastPath));
     }
-    // What is left runs about as far again before it gets out.
+    // What is left runs about as far again from face to face as it did to come to the last.
+    vec3 way = absorbed(p.lastPath);
     beams.leftOver.beam = straightBeam(p.leftPoint, p.leftDirection, p.leftSigma);
-    beams.leftOver.weight = p.left * absorbed(2.0 * p.lastPath);
+    beams.leftOver.weight = way * (p.left * wanderingEscapes(p.leaves, way) + p.passedBetween);
 
     if (holdsOpaque) {
         Meeting inside = meetBackdrop(s.position, core.direction, core.sigma, true);

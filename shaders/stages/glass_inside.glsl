@@ -50,7 +50,9 @@ struct InnerPath {
     vec3 leftPoint;      // where what is thrown back there is looked for, outside
     vec3 leftDirection;
     float leftSigma;
-    float left;          // its energy that gets out in the end
+    float left;          // its energy, of which gets out what
+    Wandering leaves;    // says, and that much at once:
+    float passedBetween; // at faces that the light was followed beyond
 };
 
 InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Widening k) {
@@ -72,7 +74,7 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
 
     WanderingLoss loss = wanderingLossBeckmann();
     if (distribution == 0) loss = wanderingLossGgx();
-    float passedBetween = 0.0; // at faces that the light is followed beyond
+    p.passedBetween = 0.0;
     InteriorView view = interiorCamera();
     float guess = interiorPairs > 0 ? interiorThickness(interior, view, ivec2(gl_FragCoord.xy), objectId()) : 0.0;
     vec3 from = s.position;
@@ -114,33 +116,39 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
         float thrownBack = p.ray.weight * (kept - passes);
         float spread = reflectedSpread(p.ray.sigma, p.last, seen.cosTheta, k.shape);
         vec3 reflected = reflect(p.ray.direction, p.last.n);
-        // Beyond the critical angle, of rough curved faces and in bodies that are not convex it wanders: of all guesses, what is
-        // behind a convex body is nearest to brute force.
-        float escapes = wanderingEscapes(p.last.alpha, 1.0 / invIor, loss);
-        if (losesItsWay) escapes = wanderingLeaves(escapes, MEETS_AGAIN);
-        p.left = thrownBack * escapes + passedBetween;
+        // Beyond the critical angle and in bodies that are not convex it wanders: of all guesses, what is behind a convex body is
+        // nearest to brute force.
+        p.left = thrownBack;
+        p.leaves = wanderingAt(p.last.alpha, 1.0 / invIor, loss);
+        if (losesItsWay) p.leaves = wanderingConcave(p.leaves, MEETS_AGAIN);
         p.leftPoint = p.lastPoint;
         p.leftDirection = -s.wo;
         p.leftSigma = max(spread, LEFT_OVER_SIGMA);
         bool isFlat = p.last.turn == vec2(0.0);
-        if (interiorPairs < 2 && thrownBack < 0.5 * p.ray.weight && (isFlat || spread < LEFT_OVER_SIGMA)) {
+        if (interiorPairs < 2 && (thrownBack < 0.5 * p.ray.weight || spread > LEFT_OVER_SIGMA)) {
             // Else what a convex body throws back leaves by its near face: of a plate that is the one that is seen, of a curved body the
             // one that the sphere with the same chord has there.
             vec3 near = isFlat ? s.n : normalize(p.last.n + 2.0 * dot(p.ray.direction, p.last.n) * reflected);
             vec3 outward = refractAbout(-reflected, -near, invIor);
-            if (dot(outward, near) > 0.0) {
+            // Of what is too wide for a hemisphere so much is pushed from the face towards its normal.
+            float wide = spread / invIor; // small angles grow by the index there
+            float folded = max(1.0 - HEMISPHERE_SIGMA / max(wide, HEMISPHERE_SIGMA), 0.0);
+            bool refracted = dot(outward, near) > 0.0;
+            if (refracted || folded > 0.0) {
                 // Again and again, each time with the same shares. A smooth face loses nothing: below a hundredth it is the
                 // table's rounding.
-                float lost = max(1.0 - kept - 0.01, 0.0);
-                p.left = passes + lost > 0.0 ? thrownBack * passes / (passes + lost) : thrownBack;
+                p.leaves.passes = passes;
+                p.leaves.back = min(kept + 0.01, 1.0) - passes;
+                vec3 along = reflected - dot(reflected, near) * near;
+                if (!refracted) outward = dot(along, along) > 0.0 ? normalize(along) : near;
                 p.leftPoint = p.lastPoint + distance(p.lastPoint, from) * reflected; // chords of one length
-                p.leftDirection = outward;
-                p.leftSigma = min(spread / invIor, HEMISPHERE_SIGMA); // small angles grow by the index there
+                p.leftDirection = normalize(mix(outward, near, folded * (1.0 - dot(outward, near))));
+                p.leftSigma = min(wide, HEMISPHERE_SIGMA);
             }
         }
         // Followed where most of the light is: beyond the critical angle.
         if (interiorPairs == 0 || bounce == mostBounces || thrownBack < 0.5 * p.ray.weight) break;
-        if (losesItsWay && bounce > 0) passedBetween += p.ray.weight * passes;
+        if (losesItsWay && bounce > 0) p.passedBetween += p.ray.weight * passes;
         p.ray.sigma = spread;
         p.ray.direction = reflected;
         p.ray.weight = thrownBack;
