@@ -7,8 +7,8 @@
 //          `again`, below 1, meets the body once more. wanderingEscapes: of light that sets out from a face, the share that is out
 //          in the end, where absorption leaves `way`, [0, 1], of it from face to face.
 // Source   reciprocity: n² times as much passes into the denser side as out of it. Losses are fits to the tables of energy.
-// Limits   wanderingEscapes without absorption at ior 1.1 to 2.6: within .02 (GGX), .045 (Beckmann; .1 for Phong's tables) of what
-//          separable Smith's tables integrate to, .06 of correlated GGX's (tests/composition). Below ior 1 losses are overestimated.
+// Limits   wanderingEscapes without absorption, ior 1.1 to 2.6: within .02 (GGX), .045 (Beckmann; .1 for Phong's tables) of what
+//          separable Smith's tables integrate to, .06 of correlated GGX's (tests/composition). Below ior 1 it loses too much.
 #ifndef GG_REFRACTION_WANDERING_GLSL
 #define GG_REFRACTION_WANDERING_GLSL
 
