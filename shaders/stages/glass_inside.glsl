@@ -23,6 +23,13 @@ const float HEMISPHERE_SIGMA = 0.606;
 
 InteriorView interiorCamera() { return interiorView(frame.clipFromWorld, frame.worldFromClip, frame.picture.xy); }
 
+// What has been thrown back is so wide that the face turns by a radian over its spot: it is not bundled as by one curvature. The
+// turn counts by the mean of the cosine of what the normals differ by.
+vec2 seenBySpread(vec2 turn, float sigma) {
+    vec2 differ = turn * sigma;
+    return turn * exp(-0.5 * differ * differ);
+}
+
 // A facet's tilt turns a reflected ray by 2 cos of it, a curved face spreads what is already spread. Tables give a Gaussian of
 // 1 / shape times the slope's width (composition_view.glsl, Widening).
 float reflectedSpread(float sigma, ExitSurface s, float cosTheta, float shape) {
@@ -87,6 +94,7 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
                 p.last.n = hit.n;
                 p.last.alpha = hit.alpha;
                 p.last.turn = exitTurn(dot(p.ray.direction, hit.n), run, hit.curvature);
+                if (bounce > 0) p.last.turn = seenBySpread(p.last.turn, p.ray.sigma);
                 p.lastPoint = hit.point;
                 p.lastPath = run;
                 if (bounce == 0) {
