@@ -14,6 +14,8 @@ layout(constant_id = 42) const int mostBounces = 2; // total reflections that ar
 // Light that has lost its way in a body that is not convex leaves it on all sides alike: after two reflections inside, paths through
 // the material ball have a mean direction of .1. Smooth walls, between which few ways are open, keep it going forwards.
 const bool losesItsWay = interiorPairs > 1 && !isSmooth;
+// There a search beyond the first reflection finds where one ray in two goes (tests/interior), of a beam that is wide by then.
+const int followed = losesItsWay && mostBounces > 1 ? 1 : mostBounces;
 // Of what gets out of such a body about half meets it again (paths through the material ball and Suzanne).
 const float MEETS_AGAIN = 0.5;
 // Where it goes forwards it comes from a cone of about a radian.
@@ -86,7 +88,7 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
     float guess = interiorPairs > 0 ? interiorThickness(interior, view, ivec2(gl_FragCoord.xy), objectId()) : 0.0;
     vec3 from = s.position;
     float run = 0.0;
-    for (int bounce = 0; bounce <= mostBounces; ++bounce) {
+    for (int bounce = 0; bounce <= followed; ++bounce) {
         if (interiorPairs > 0) {
             ExitHit hit = findExit(interior, view, interiorPairs, objectId(), from, p.ray.direction, guess, bounce > 0);
             if (hit.found > 0.0) {
@@ -155,7 +157,7 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
             }
         }
         // Followed where most of the light is: beyond the critical angle.
-        if (interiorPairs == 0 || bounce == mostBounces || thrownBack < 0.5 * p.ray.weight) break;
+        if (interiorPairs == 0 || bounce == followed || thrownBack < 0.5 * p.ray.weight) break;
         if (losesItsWay && bounce > 0) p.passedBetween += p.ray.weight * passes;
         p.ray.sigma = spread;
         p.ray.direction = reflected;
