@@ -144,7 +144,7 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
             float wide = spread / invIor; // small angles grow by the index there
             float folded = max(1.0 - HEMISPHERE_SIGMA / max(wide, HEMISPHERE_SIGMA), 0.0);
             bool refracted = dot(outward, near) > 0.0;
-            if (refracted || folded > 0.0) {
+            if (refracted || spread > LEFT_OVER_SIGMA) {
                 // Again and again, each time with the same shares. A smooth face loses nothing: below a hundredth it is the
                 // table's rounding.
                 p.leaves.passes = passes;
@@ -158,6 +158,7 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
         }
         // Followed where most of the light is: beyond the critical angle.
         if (interiorPairs == 0 || bounce == followed || thrownBack < 0.5 * p.ray.weight) break;
+        if (interiorPairs == 1 && spread > LEFT_OVER_SIGMA) break; // and no way can be told any more
         if (losesItsWay && bounce > 0) p.passedBetween += p.ray.weight * passes;
         p.ray.sigma = spread;
         p.ray.direction = reflected;
