@@ -122,6 +122,8 @@ void set_alpha(Material& m, float alpha) {
 void apply_option(const Reader& read, const std::string& key, const std::string& value,
                   Material& m) {
   constexpr float unlimited = INFINITY;
+  // The tables' axis (refraction/interface_table.glsl). Below 1 it is a bubble in what is denser.
+  constexpr float least_ior = 0.25f, greatest_ior = 4.0f;
   constexpr std::array not_of_metals = {
       "color",     "ior", "thickness", "attenuation_distance", "back_alpha", "attenuation_color",
       "dispersion"};
@@ -155,7 +157,7 @@ void apply_option(const Reader& read, const std::string& key, const std::string&
   } else if (key == "color")
     m.base_color = glm::vec4(read.color(key, value), m.base_color.w);
   else if (key == "ior")
-    m.ior = read.number(key, value, 1.0f, unlimited);
+    m.ior = read.number(key, value, least_ior, greatest_ior);
   else if (key == "thickness")
     m.thickness = read.number(key, value, 0.0f, unlimited);
   else if (key == "attenuation_distance")

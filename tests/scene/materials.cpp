@@ -290,7 +290,8 @@ TEST(presets, refuse_what_they_do_not_know_and_list_what_they_do) {
   refuses("*=gold,shine=1", {"shine", "distribution"});
   refuses("*=gold,distribution=blinn", {"blinn", "beckmann"});
   refuses("*=gold,ior=1.5", {"metal"});
-  refuses("*=glass,ior=0.5", {"ior", "at least 1"});
+  refuses("*=glass,ior=0.2", {"ior", "0.25 to 4"});
+  refuses("*=glass,ior=4.5", {"ior", "0.25 to 4"});
   refuses("*=glass,color=1/2", {"color"});
   refuses("*=gold,finish=glass", {"glass", "satin"});
 }
