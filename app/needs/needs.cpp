@@ -132,7 +132,10 @@ Lookups lookups_of(const Needs& needs) {
         std::max(most.refracted, ways * lookups_per_lobe(method, interface_taps(method)));
     if (value_of(draw.key, Feature::interior_pairs) == 0) continue;
     most.bounced = std::max(most.bounced, ways);
-    most.left_over = std::max(most.left_over, ways);
+    // What loses its way is looked up before the viewer and behind (stages/glass_inside.glsl).
+    const bool wanders =
+        value_of(draw.key, Feature::interior_pairs) > 1 && value_of(draw.key, Feature::smooth) == 0;
+    most.left_over = std::max(most.left_over, wanders ? 2 * ways : ways);
   }
   return most;
 }

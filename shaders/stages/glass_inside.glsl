@@ -46,6 +46,8 @@ float meshUnit() {
             length(instance.worldFromMesh[2].xyz)) / 3.0;
 }
 
+WanderingLoss wanderingLoss() { return distribution == 0 ? wanderingLossGgx() : wanderingLossBeckmann(); }
+
 // How the light inside comes to the face that it leaves by.
 struct InnerPath {
     ExitSurface first;   // where the ray first comes to a face
@@ -81,8 +83,6 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
     p.lastPoint = p.point;
     p.lastPath = p.path;
 
-    WanderingLoss loss = wanderingLossBeckmann();
-    if (distribution == 0) loss = wanderingLossGgx();
     p.passedBetween = 0.0;
     InteriorView view = interiorCamera();
     float guess = interiorPairs > 0 ? interiorThickness(interior, view, ivec2(gl_FragCoord.xy), objectId()) : 0.0;
@@ -129,7 +129,7 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
         // Beyond the critical angle and in bodies that are not convex it wanders: of all guesses, what is behind a convex body is
         // nearest to brute force.
         p.left = thrownBack;
-        p.leaves = wanderingAt(p.last.alpha, 1.0 / invIor, loss);
+        p.leaves = wanderingAt(p.last.alpha, 1.0 / invIor, wanderingLoss());
         if (losesItsWay) p.leaves = wanderingConcave(p.leaves, MEETS_AGAIN);
         p.leftPoint = p.lastPoint;
         p.leftDirection = -s.wo;

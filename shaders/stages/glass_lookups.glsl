@@ -25,7 +25,7 @@ vec3 lightsAlong(Beam beam) {
 vec3 glassRadiance(GlassBeams beams, MirrorBeams mirror) {
     vec3 sum = vec3(0.0);
     // What comes from behind the viewer no picture shows.
-    if (losesItsWay && hasEnvironment && transmission == 2) {
+    if (losesItsWay && hasEnvironment) {
         beams.leftOver.weight *= 0.5;
         sum += beams.leftOver.weight * wideRadiance(-beams.leftOver.beam.direction);
     }

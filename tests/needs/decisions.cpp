@@ -97,6 +97,19 @@ TEST(needs, a_convex_solid_takes_one_pair_of_faces_and_others_two) {
   EXPECT_EQ(concave.target("interior")->layers, 4);
 }
 
+// Half of what loses its way in a rough body comes from behind the viewer.
+TEST(needs, what_is_left_over_is_looked_up_twice_where_it_loses_its_way) {
+  const auto left_over = [](scene::Scene scene, float roughness) {
+    scene.materials[0] = glass(roughness);
+    return needs::needs_of(scene, view()).lookups.left_over;
+  };
+  const scene::Scene convex = box(glass(0.3f));
+  const scene::Scene head = scene::load(home_directory() / "assets/scenes/Suzanne/Suzanne.gltf");
+  EXPECT_EQ(left_over(convex, 0.3f), 1);
+  EXPECT_EQ(left_over(head, 0.3f), 2);
+  EXPECT_EQ(left_over(head, 0.0f), 1);
+}
+
 TEST(needs, index_one_takes_no_tables_and_an_inside_only_where_it_absorbs) {
   scene::Material clear = glass(0.3f, 1.0f);
   EXPECT_EQ(labels(needs::needs_of(ball(clear), view())), Labels{"opaque"}) << "cannot be seen";
