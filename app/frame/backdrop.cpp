@@ -42,7 +42,7 @@ Backdrop::Backdrop(gpu::Device& device, const Desc& desc)
 gpu::Pass Backdrop::copy_pass(const gpu::TextureRef& color, const gpu::TextureRef& depth,
                               const needs::Pass& takes) const {
   std::vector<gpu::ColorTarget> targets{{.view = level(0)}};
-  const bool takes_depth = takes.takes_depth || takes.takes_glass_depth;
+  const bool takes_depth = takes.takes_depth || takes.glass_depth;
   if (takes_depth)
     targets.push_back({.view = gpu::whole(takes.takes_depth ? depth_ : glass_depth_)});
   return {.label = "backdrop",

@@ -2,8 +2,6 @@
 #include "environment/stack.h"
 #include "frame/renderer.h"
 
-#include <algorithm>
-
 namespace gg::frame {
 
 void Renderer::bind_environment(gpu::Encoder& encoder) const {
@@ -158,11 +156,7 @@ gpu::Pass Renderer::layer_pass(const needs::Pass& of, int sample) const {
     for (const gpu::View& view : backdrop_->sampled())
       pass.reads.push_back(view);
   if (!layer.solids.empty()) pass.reads.push_back(interior_->sampled());
-  // Where the backdrop's depth was taken anew for the layer, it is the glass's too.
-  const bool behind_glass = std::ranges::any_of(needs_.passes, [&](const needs::Pass& p) {
-    return p.layer == of.layer && p.takes_glass_depth;
-  });
-  pass.record = [this, sample, behind_glass, &layer, &records = layers_[of.layer],
+  pass.record = [this, sample, behind_glass = of.glass_depth, &layer, &records = layers_[of.layer],
                  &regions = layer_regions_[of.layer]](gpu::Encoder& encoder) {
     begin(encoder, sample);
     if (layer.shows_behind()) backdrop_->bind(encoder, behind_glass);

@@ -41,9 +41,9 @@ public:
                   .reads = {"scene color"},
                   .writes = {"screen pyramid 0"}};
     // Taken anew, the one holds the other.
-    backdrop.takes_glass_depth =
+    backdrop.glass_depth = has_glass_depth_ =
         !takes_depth && layer < needs_.layers.size() && needs_.layers[layer].interleaves;
-    if (takes_depth || backdrop.takes_glass_depth) {
+    if (takes_depth || backdrop.glass_depth) {
       backdrop.reads.emplace_back("scene depth");
       backdrop.writes.emplace_back(takes_depth ? "backdrop depth" : "glass depth");
     }
@@ -158,7 +158,8 @@ public:
               .writes = {"scene color", "scene depth"}};
     if (layer.shows_behind()) pass.reads.emplace_back("screen pyramid");
     if (layer.blurs) pass.reads.emplace_back("backdrop depth");
-    if (layer.interleaves) pass.reads.emplace_back("glass depth");
+    pass.glass_depth = layer.shows_behind() && has_glass_depth_;
+    if (pass.glass_depth) pass.reads.emplace_back("glass depth");
     if (!layer.solids.empty()) pass.reads.emplace_back("interior");
     pass.reads = uploads_and(pass.reads);
     add(pass);
@@ -190,6 +191,7 @@ private:
 
   const Needs& needs_;
   bool has_depth_ = false;
+  bool has_glass_depth_ = false; // of the last backdrop
 };
 
 } // namespace

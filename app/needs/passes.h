@@ -30,9 +30,10 @@ struct Pass {
   std::string label;     // of its timer
   std::size_t layer = 0; // of Needs::layers, where it is of one
   int part = 0; // pyramid: level; interior: 0 F1, 1 B1, 2 F2, 3 B2; reflective: 1 what shows glass
-  bool takes_depth = false;       // backdrop: the depth too, of what lookups meet
-  bool takes_glass_depth = false; // or that of the glass so far, which hides what is behind it
-  std::size_t draws = 0;          // of meshes
+  bool takes_depth = false; // backdrop: the depth too, of what lookups meet
+  bool glass_depth =
+      false;             // backdrop: takes that of the glass so far instead; layer: is hidden by it
+  std::size_t draws = 0; // of meshes
   std::vector<std::string> reads, writes; // targets and what was uploaded, by name
 };
 

@@ -61,9 +61,9 @@ struct InnerPath {
     vec3 leftPoint;      // where what is thrown back there is looked for, outside
     vec3 leftDirection;
     float leftSigma;
-    float left;          // its energy, of which gets out what
-    Wandering leaves;    // says, and that much at once:
-    float passedBetween; // at faces that the light was followed beyond
+    float left;          // its energy
+    Wandering leaves;    // what becomes of that at each face that it comes to
+    float passedBetween; // energy that passed the faces beyond which the light was followed
 };
 
 InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Widening k) {
@@ -82,8 +82,8 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
     p.last = p.first;
     p.lastPoint = p.point;
     p.lastPath = p.path;
-
     p.passedBetween = 0.0;
+
     InteriorView view = interiorCamera();
     float guess = interiorPairs > 0 ? interiorThickness(interior, view, ivec2(gl_FragCoord.xy), objectId()) : 0.0;
     vec3 from = s.position;
@@ -120,9 +120,9 @@ InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Wi
             }
         }
         ExitView seen = seeExit(p.ray, true, p.last, k);
-        InterfaceEnergy own = faceEnergy(max(seen.cosTheta, 0.0), p.last.alpha, invIor);
-        float kept = own.reflected + own.transmitted;
-        float passes = min(faceEnergy(max(seen.cosTheta, 0.0), seen.alphaEnergy, invIor).transmitted, kept);
+        float cosTheta = max(seen.cosTheta, 0.0);
+        float kept = keptByFace(faceEnergy(cosTheta, p.last.alpha, invIor));
+        float passes = min(faceEnergy(cosTheta, seen.alphaEnergy, invIor).transmitted, kept);
         float thrownBack = p.ray.weight * (kept - passes);
         float spread = reflectedSpread(p.ray.sigma, p.last, seen.cosTheta, k.shape);
         vec3 reflected = reflect(p.ray.direction, p.last.n);

@@ -54,6 +54,14 @@ scene::Scene plate(const scene::Material& material) {
   return scene;
 }
 
+// Below a ball, beyond the picture and behind the camera.
+void add_red_floor(scene::Scene& scene) {
+  add(scene, square(unlit({1, 0, 0})),
+      glm::scale(
+          glm::rotate(glm::translate(glm::mat4(1.0f), {0, -1.5f, 0}), -1.5707963f, {1, 0, 0}),
+          glm::vec3(30)));
+}
+
 // Open, not convex, with eyes that stand in its head.
 scene::Scene suzanne(const scene::Material& material) {
   scene::Scene scene = scene::load(home_directory() / "assets/scenes/Suzanne/Suzanne.gltf");
@@ -275,10 +283,7 @@ TEST_P(Render, glass_that_absorbs_shows_in_its_mirror_what_stands_about_it) {
   scene::Scene scene = ball(glass(0.0f));
   scene.materials[0].attenuation_color = glm::vec3(0.01f);
   scene.materials[0].attenuation_distance = 0.1f;
-  add(scene, square(unlit({1, 0, 0})),
-      glm::scale(
-          glm::rotate(glm::translate(glm::mat4(1.0f), {0, -1.5f, 0}), -1.5707963f, {1, 0, 0}),
-          glm::vec3(30)));
+  add_red_floor(scene);
   const image::Image picture = draw(scene, {environment::constant({0, 0, 0}), from({0, 0, 4})});
   const glm::vec3 below = color(picture, size / 2, size / 2 + size / 10);
   EXPECT_NEAR(below.x, 0.04f, 0.01f);
@@ -314,10 +319,7 @@ TEST_P(Render, holes_of_what_stands_before_glass_are_not_cut_out) {
 // The floor below a mirror ball reaches beyond the picture and behind the camera: so does its reflection.
 TEST_P(Render, a_floor_goes_on_in_reflections_where_the_picture_ends) {
   scene::Scene scene = ball(metal(0.0f));
-  add(scene, square(unlit({1, 0, 0})),
-      glm::scale(
-          glm::rotate(glm::translate(glm::mat4(1.0f), {0, -1.5f, 0}), -1.5707963f, {1, 0, 0}),
-          glm::vec3(30)));
+  add_red_floor(scene);
   const image::Image picture = draw(scene, {environment::constant({0, 0, 1}), from({0, 0, 4})});
   const int radius = 30; // of the ball, pixels: less than it is
   for (int below = 6; below < radius; ++below) {
