@@ -11,7 +11,6 @@
 #include "image/image.h"
 #include "scene/undrawn.h"
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -171,21 +170,19 @@ void capture(const Options& o) {
 
 } // namespace
 
-void add_capture(CLI::App& app) {
+void add_capture(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("capture", "Draw a scene into a picture file");
-  add_options(*command, options->scene);
-  command->add_option("-o,--output", options->out, "Picture to write: .png, .exr, .hdr or .pfm")
-      ->required();
-  add_options(*command, options->device);
-  add_options(*command, options->method);
-  command->add_option("--exposure", options->exposure,
-                      "Stops of brightness added for display (.png)");
-  command->add_option("--tonemap", options->tonemap, "none, neutral, aces or agx (.png)")
-      ->capture_default_str();
-  command->add_option("--frames", options->frames, "Time so many frames; see --json");
-  command->add_option("--json", options->json, "Write device, sizes and times to this file");
-  command->callback([options] { capture(*options); });
+  Command command = program.subcommand("capture", "Draw a scene into a picture file");
+  add_options(command, options->scene);
+  command.option("-o,--output", &options->out, "Picture to write: .png, .exr, .hdr or .pfm")
+      .required();
+  add_options(command, options->device);
+  add_options(command, options->method);
+  command.option("--exposure", &options->exposure, "Stops of brightness added for display (.png)");
+  command.option("--tonemap", &options->tonemap, "none, neutral, aces or agx (.png)");
+  command.option("--frames", &options->frames, "Time so many frames; see --json");
+  command.option("--json", &options->json, "Write device, sizes and times to this file");
+  command.action([options] { capture(*options); });
 }
 
 } // namespace gg::commands

@@ -2,17 +2,17 @@
 
 namespace gg::commands {
 
-void add_all(CLI::App& app) {
-  add_capture(app);
-  add_compare(app);
-  add_devices(app);
-  add_eval(app);
-  add_figures(app);
-  add_needs(app);
-  add_report(app);
-  add_tables(app);
-  add_truth(app);
-  add_unfinished(app);
+void add_all(Command program) {
+  add_capture(program);
+  add_compare(program);
+  add_devices(program);
+  add_eval(program);
+  add_figures(program);
+  add_needs(program);
+  add_report(program);
+  add_tables(program);
+  add_truth(program);
+  add_unfinished(program);
 }
 
 } // namespace gg::commands

@@ -1,25 +1,33 @@
-// The commands, one file each: what a user can ask for. Each add_ function registers one with its
-// options; the callback builds what it needs and runs it, and reports trouble by throwing
-// gg::Error.
+// The commands, one file each: what a user can ask for. To add one, write NAME.cpp like devices.cpp
+// (small) or needs.cpp (with the options that it shares with others):
+//
+//   void add_name(Command program) {
+//     auto options = std::make_shared<Options>();
+//     Command command = program.subcommand("name", "What it does, for --help");
+//     command.option("SCENE", &options->scene, "A glTF 2.0 file, .gltf or .glb").required();
+//     command.option("-o,--output", &options->output, "File to write").required();
+//     command.action([options] { run(*options); });
+//   }
+//
+// declare it here, call it in commands.cpp and list the file in CMakeLists.txt. See command_line.h;
+// CLI11 is seen by command_line.cpp alone. Trouble is reported by throwing gg::Error.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "commands/command_line.h"
 
 namespace gg::commands {
 
-void add_all(CLI::App& app); // in the order in which --help shows them
+void add_all(Command program); // in the order in which --help shows them
 
-void add_capture(CLI::App& app);
-void add_compare(CLI::App& app);
-void add_devices(CLI::App& app);
-void add_eval(CLI::App& app);
-void add_figures(CLI::App& app);
-void add_needs(CLI::App& app);
-void add_report(CLI::App& app);
-void add_tables(CLI::App& app);
-void add_truth(CLI::App& app);
-void add_unfinished(CLI::App& app); // promised names that say so and exit with `unsupported`
+void add_capture(Command program);
+void add_compare(Command program);
+void add_devices(Command program);
+void add_eval(Command program);
+void add_figures(Command program);
+void add_needs(Command program);
+void add_report(Command program);
+void add_tables(Command program);
+void add_truth(Command program);
+void add_unfinished(Command program); // promised names that say so and exit with `unsupported`
 
 } // namespace gg::commands

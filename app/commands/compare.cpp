@@ -4,13 +4,14 @@
 #include "commands/commands.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/suggest.h"
 #include "image/heat_map.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -25,7 +26,7 @@ using nlohmann::json;
 
 struct Options {
   std::string test, reference, map, map_of = "flip", json_file;
-  std::vector<int> objects;
+  std::vector<std::string> objects;
 };
 
 struct Column {
@@ -190,6 +191,30 @@ void write_map(const Options& options, const Comparison& comparison) {
   image::write(options.map, image::heat_map(comparison.relative_map, top, title));
 }
 
+// The ids of the objects that are named: all that bear a name, or the one with that number, which
+// image::compare looks up.
+std::vector<int> object_ids(const std::vector<std::string>& wanted, const Picture& with_names) {
+  std::vector<int> ids;
+  std::vector<std::string> names;
+  for (const auto& [id, name] : with_names.object_names)
+    names.push_back(name);
+  for (const std::string& word : wanted) {
+    const std::size_t before = ids.size();
+    for (const auto& [id, name] : with_names.object_names)
+      if (name == word) ids.push_back(id);
+    if (ids.size() > before) continue;
+    int id = 0;
+    const char* const end = word.data() + word.size();
+    if (const auto [at, error] = std::from_chars(word.data(), end, id);
+        error != std::errc() || at != end || id < 1)
+      throw Error(ExitCode::usage, "--objects",
+                  "'" + word + "' is neither an object of " + with_names.name + " nor an id",
+                  did_you_mean(word, names) + "Ids are whole numbers from 1.");
+    ids.push_back(id);
+  }
+  return ids;
+}
+
 void run(const Options& options) {
   // Complaints about names come before the work.
   if (!options.map.empty()
@@ -202,8 +227,9 @@ void run(const Options& options) {
          + " holds 8-bit display values, clipped at 1; they are compared as the light that they "
            "stand for, which is right only for a picture written with --tonemap none. Write .exr "
            "to compare radiance");
-  const Comparison comparison = image::compare(test, reference, options.objects);
   const Picture& with_names = reference.id.empty() ? test : reference;
+  const Comparison comparison =
+      image::compare(test, reference, object_ids(options.objects, with_names));
   const std::vector<Column> table = columns(comparison, with_names);
   const std::vector<std::string> lines = remarks(table, comparison, test, reference);
   // Both or neither: the map is written while the other file is complete but not yet in place.
@@ -221,27 +247,20 @@ void run(const Options& options) {
 
 } // namespace
 
-void add_compare(CLI::App& app) {
+void add_compare(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* const command = app.add_subcommand(
+  Command command = program.subcommand(
       "compare", "Measure a picture against a reference: relMSE, RMSE, bias, p99, PSNR, FLIP");
-  command->add_option("TEST", options->test, "The picture to judge (.exr, .hdr, .pfm, .png)")
-      ->required();
-  command->add_option("REFERENCE", options->reference, "The picture to judge it by")->required();
-  command->add_option("--map", options->map, "Write a heat map with its scale (.png)");
-  command->add_option("--map-of", options->map_of, "What the heat map shows: flip or relative")
-      ->check(CLI::IsMember({"flip", "relative"}))
-      ->capture_default_str();
-  command->add_option("--objects", options->objects, "Only these object ids (1,2,...)")
-      ->delimiter(',')
-      ->check([](const std::string& text) {
-        const bool whole = !text.empty() && text.size() < 8
-                           && text.find_first_not_of("0123456789") == std::string::npos;
-        return whole && std::stoi(text) > 0 ? ""
-                                            : "Object ids are whole numbers from 1, not " + text;
-      });
-  command->add_option("--json", options->json_file, "Write the numbers as JSON");
-  command->callback([options] { run(*options); });
+  command.option("TEST", &options->test, "The picture to judge (.exr, .hdr, .pfm, .png)")
+      .required();
+  command.option("REFERENCE", &options->reference, "The picture to judge it by").required();
+  command.option("--map", &options->map, "Write a heat map with its scale (.png)");
+  command.option("--map-of", &options->map_of, "What the heat map shows: flip or relative")
+      .one_of({"flip", "relative"});
+  command.option("--objects", &options->objects, "Only these objects: names or ids, as Ball,2")
+      .comma_separated();
+  command.option("--json", &options->json_file, "Write the numbers as JSON");
+  command.action([options] { run(*options); });
 }
 
 } // namespace gg::commands

@@ -7,11 +7,10 @@
 #include "core/progress.h"
 #include "gpu/device.h"
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +23,7 @@ constexpr std::size_t batch_rows = 65536;
 struct Options {
   std::filesystem::path in, out;
   std::string backend = "cpu", surface = "auto", form = "compensated";
-  int device = -1;
+  std::optional<int> device;
 };
 
 template <class Real, class Evaluate>
@@ -61,7 +60,7 @@ void run(const Options& options) {
   const auto device = gpu::create_device({
       .backend = options.backend == "vulkan" ? gpu::Backend::vulkan : gpu::Backend::opengl,
       .surface = surfaces.at(options.surface),
-      .device = options.device,
+      .device = options.device.value_or(-1),
   });
   bsdf::DeviceEvaluator evaluator(
       *device, options.form == "stable" ? bsdf::Form::stable : bsdf::Form::compensated, batch_rows);
@@ -71,23 +70,21 @@ void run(const Options& options) {
 
 } // namespace
 
-void add_eval(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("eval", "Values of the BSDF for a file of directions (CSV)");
+void add_eval(Command program) {
+  Command command = program.subcommand("eval", "Values of the BSDF for a file of directions (CSV)");
   const auto options = std::make_shared<Options>();
-  sub->add_option("--in", options->in, "CSV of queries (README.md, \"eval\")")->required();
-  sub->add_option("--out", options->out, "CSV of values")->required();
-  sub->add_option("--backend", options->backend, "cpu (double), opengl or vulkan (float32)")
-      ->check(CLI::IsMember({"cpu", "opengl", "vulkan"}))
-      ->capture_default_str();
-  sub->add_option("--form", options->form,
-                  "Half-vector on the device: compensated, or stable as frames are drawn")
-      ->check(CLI::IsMember({"compensated", "stable"}))
-      ->capture_default_str();
-  sub->add_option("--surface", options->surface, "Where opengl comes from: auto, egl or osmesa")
-      ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
-      ->capture_default_str();
-  sub->add_option("--device", options->device, "Index in the list of `groundglass devices`");
-  sub->callback([options] { run(*options); });
+  command.option("--in", &options->in, "CSV of queries (README.md, \"eval\")").required();
+  command.option("-o,--output", &options->out, "CSV of values").required();
+  command.option("--backend", &options->backend, "cpu (double), opengl or vulkan (float32)")
+      .one_of({"cpu", "opengl", "vulkan"});
+  command
+      .option("--form", &options->form,
+              "Half-vector on the device: compensated, or stable as frames are drawn")
+      .one_of({"compensated", "stable"});
+  command.option("--surface", &options->surface, "Where opengl comes from: auto, egl or osmesa")
+      .one_of({"auto", "egl", "osmesa"});
+  command.option("--device", &options->device, "Index in the list of `groundglass devices`");
+  command.action([options] { run(*options); });
 }
 
 } // namespace gg::commands

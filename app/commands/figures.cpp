@@ -3,20 +3,21 @@
 
 #include "commands/commands.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <memory>
 
 namespace gg::commands {
 
-void add_figures(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand(
+void add_figures(Command program) {
+  Command command = program.subcommand(
       "figures", "Draw Fresnel reflectance, D, G and the lobes of rough glass (SVG and PNG)");
   const auto directory = std::make_shared<std::filesystem::path>();
-  sub->add_option("-o,--out", *directory, "Directory for the figures, made if it does not exist")
-      ->required();
-  sub->callback([directory] {
+  command
+      .option("-o,--output", directory.get(),
+              "Directory for the figures, made if it does not exist")
+      .required();
+  command.action([directory] {
     for (const std::string& name : figures::write_all(*directory))
       fmt::print("{}\n", (*directory / name).string());
   });

@@ -8,7 +8,6 @@
 #include "environment/stack.h"
 #include "needs/words.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -56,14 +55,14 @@ void print(const Options& o) {
 
 } // namespace
 
-void add_needs(CLI::App& app) {
+void add_needs(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
+  Command command = program.subcommand(
       "needs", "Print what drawing a scene takes: passes, features, tables, targets, bytes");
-  add_options(*command, options->scene);
-  add_options(*command, options->method);
-  command->add_option("--json", options->json, "Write the same to this file");
-  command->callback([options] { print(*options); });
+  add_options(command, options->scene);
+  add_options(command, options->method);
+  command.option("--json", &options->json, "Write the same to this file");
+  command.action([options] { print(*options); });
 }
 
 } // namespace gg::commands

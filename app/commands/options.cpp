@@ -2,11 +2,11 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/suggest.h"
 #include "scene/apply.h"
 #include "scene/framing.h"
 #include "scene/load.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <charconv>
@@ -51,49 +51,42 @@ std::optional<glm::vec3> as_vec3(const std::string& text) {
 
 } // namespace
 
-void add_options(CLI::App& app, SceneOptions& o) {
-  app.add_option("SCENE", o.scene, "A glTF 2.0 file, .gltf or .glb")->required();
-  add_view_options(app, o);
+void add_options(Command command, SceneOptions& o) {
+  command.option("SCENE", &o.scene, "A glTF 2.0 file, .gltf or .glb").required();
+  add_view_options(command, o);
 }
 
-void add_view_options(CLI::App& app, SceneOptions& o) {
-  app.add_option("--material", o.materials,
-                 "NAME=PRESET[,key=value...], * for every material; may be repeated")
-      ->take_all()
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--env", o.env,
+void add_view_options(Command command, SceneOptions& o) {
+  command.option("--material", &o.materials,
+                 "NAME=PRESET[,key=value...], * for every material; may be repeated");
+  command.option("--env", &o.env,
                  "Environment: an equirectangular .hdr or .exr, a colour R,G,B, or none");
-  app.add_option("--env-rotation", o.env_rotation,
+  command.option("--env-rotation", &o.env_rotation,
                  "Degrees about +Y, counter-clockwise seen from above");
-  app.add_option("--env-intensity", o.env_intensity, "Factor on the environment's radiance");
-  app.add_option("--size", o.size, "Width x height in pixels")->capture_default_str();
-  app.add_option("--camera", o.camera, "A camera of the file, by name or index");
-  app.add_option("--eye", o.eye, "Where the camera is: X,Y,Z in metres");
-  app.add_option("--target", o.target, "What it looks at: X,Y,Z");
-  app.add_option("--up", o.up, "Which way is up: X,Y,Z")->capture_default_str();
-  app.add_option("--fovy", o.fovy, "Vertical field of view in degrees");
+  command.option("--env-intensity", &o.env_intensity, "Factor on the environment's radiance");
+  command.option("--size", &o.size, "Width x height in pixels");
+  command.option("--camera", &o.camera, "A camera of the file, by name or index");
+  command.option("--eye", &o.eye, "Where the camera is: X,Y,Z in metres");
+  command.option("--target", &o.target, "What it looks at: X,Y,Z");
+  command.option("--up", &o.up, "Which way is up: X,Y,Z");
+  command.option("--fovy", &o.fovy, "Vertical field of view in degrees");
 }
 
-void add_options(CLI::App& app, DeviceOptions& o) {
-  app.add_option("--backend", o.backend, "opengl, vulkan, or auto: the first that works")
-      ->capture_default_str();
-  app.add_option("--surface", o.surface, "egl or osmesa (OpenGL only)");
-  app.add_option("--device", o.device, "Index from `groundglass devices`");
+void add_options(Command command, DeviceOptions& o) {
+  command.option("--backend", &o.backend, "opengl, vulkan, or auto: the first that works");
+  command.option("--surface", &o.surface, "egl or osmesa (OpenGL only)");
+  command.option("--device", &o.device, "Index from `groundglass devices`");
 }
 
-void add_options(CLI::App& app, MethodOptions& o) {
-  app.add_option("--method", o.method,
-                 "standard, lobes1, ...; or auto, which measures all of them on the scene first")
-      ->capture_default_str();
-  app.add_option("--budget", o.budget, "For --method auto: the most accurate within so many ms");
-  app.add_option("--max-error", o.max_error,
+void add_options(Command command, MethodOptions& o) {
+  command.option("--method", &o.method,
+                 "standard, lobes1, ...; or auto, which measures all of them on the scene first");
+  command.option("--budget", &o.budget, "For --method auto: the most accurate within so many ms");
+  command.option("--max-error", &o.max_error,
                  "For --method auto: the fastest with a relMSE over the objects no larger");
-  app.add_option("--samples", o.samples, "Sub-pixel samples averaged: antialiasing")
-      ->capture_default_str();
-  app.add_option("--smith", o.smith, "Shadowing: separable (Walter 2007) or correlated")
-      ->capture_default_str();
-  app.add_flag("--multiscatter", o.multiscatter, "Give back the energy of multiple scattering");
+  command.option("--samples", &o.samples, "Sub-pixel samples averaged: antialiasing");
+  command.option("--smith", &o.smith, "Shadowing: separable (Walter 2007) or correlated");
+  command.flag("--multiscatter", o.multiscatter, "Give back the energy of multiple scattering");
 }
 
 Size parse_size(const std::string& text) {
@@ -210,7 +203,7 @@ std::string typed_view(const SceneOptions& o) {
 }
 
 std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options) {
-  gpu::DeviceDesc desc{.device = options.device};
+  gpu::DeviceDesc desc{.device = options.device.value_or(-1)};
   if (options.surface == "egl")
     desc.surface = gpu::Surface::egl;
   else if (options.surface == "osmesa")
@@ -245,11 +238,11 @@ const std::vector<NamedMethod>& methods() {
   return all;
 }
 
-NamedMethod find_method(const std::string& text) {
-  std::string names;
+NamedMethod find_method(const std::string& text, const std::string& option) {
+  std::vector<std::string> names;
   for (const NamedMethod& method : methods()) {
     if (method.name == text) return method;
-    names += (names.empty() ? "" : ", ") + method.name;
+    names.push_back(method.name);
   }
   // Any number of importance samples; more than a thousand a pixel are the path tracer's business.
   constexpr int most_samples = 1024;
@@ -260,11 +253,15 @@ NamedMethod find_method(const std::string& text) {
     if (error == std::errc() && end == last && samples >= 1 && samples <= most_samples)
       return {text, needs::fis(samples)};
   }
-  refuse("--method", text, "The methods are " + names + ", and fis1 to fis1024.");
+  refuse(
+      option, text,
+      did_you_mean(text, names)
+          + fmt::format("The methods are {}, fis1 to fis{}", fmt::join(names, ", "), most_samples)
+          + (option == "--method" ? ", and auto for capture." : "."));
 }
 
 needs::Method parse_method(const std::string& text) {
-  return find_method(text).method;
+  return find_method(text, "--method").method;
 }
 
 } // namespace gg::commands

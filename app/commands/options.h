@@ -1,6 +1,7 @@
 // The options that say what is drawn and from where: the same for every command that draws.
 #pragma once
 
+#include "commands/command_line.h"
 #include "environment/map.h"
 #include "gpu/device.h"
 #include "needs/features.h"
@@ -10,10 +11,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace gg::commands {
 
@@ -32,7 +29,7 @@ struct SceneOptions {
 
 struct DeviceOptions {
   std::string backend = "opengl", surface;
-  int device = -1;
+  std::optional<int> device; // any
 };
 
 struct MethodOptions {
@@ -42,11 +39,11 @@ struct MethodOptions {
   std::optional<double> budget, max_error; // ms; relMSE: of --method auto
 };
 
-void add_options(CLI::App& app, SceneOptions& options);
+void add_options(Command command, SceneOptions& options);
 // The same without SCENE, for commands that take several scenes.
-void add_view_options(CLI::App& app, SceneOptions& options);
-void add_options(CLI::App& app, DeviceOptions& options);
-void add_options(CLI::App& app, MethodOptions& options);
+void add_view_options(Command command, SceneOptions& options);
+void add_options(Command command, DeviceOptions& options);
+void add_options(Command command, MethodOptions& options);
 
 struct Size {
   int width = 0, height = 0;
@@ -78,8 +75,8 @@ struct NamedMethod {
 };
 // All that a report compares if it is not told which.
 const std::vector<NamedMethod>& methods();
-// By name. Throws Error(usage).
-NamedMethod find_method(const std::string& text);
+// By name. Throws Error(usage) naming the option that it was given to.
+NamedMethod find_method(const std::string& text, const std::string& option = "--method");
 needs::Method parse_method(const std::string& text);
 
 } // namespace gg::commands

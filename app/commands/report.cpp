@@ -7,7 +7,6 @@
 #include "core/error.h"
 #include "report/tables.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +23,8 @@ struct Options {
   std::vector<std::string> scenes;
   SceneOptions view{.size = "512x512"};
   std::string out, methods, backends = "opengl", surface, smith = "separable";
-  int device = -1, samples = 16, frames = 20;
+  int samples = 16, frames = 20;
+  std::optional<int> device;
   long spp = 256;
   std::optional<double> error;
   bool multiscatter = false;
@@ -71,7 +71,7 @@ std::vector<report::Method> methods_of(const Options& o) {
       result.push_back({m.name, m.method});
   else
     for (const std::string& name : split(o.methods, "--methods")) {
-      const NamedMethod m = find_method(name);
+      const NamedMethod m = find_method(name, "--methods");
       result.push_back({m.name, m.method});
     }
   return result;
@@ -134,41 +134,36 @@ void run(const Options& o) {
 
 } // namespace
 
-void add_report(CLI::App& app) {
+void add_report(Command program) {
   auto o = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
+  Command command = program.subcommand(
       "report", "Measure how fast and how wrong each method is, and write a page about it");
-  command->add_option("SCENE", o->scenes, "glTF 2.0 files")->required();
-  command->add_option("-o,--output", o->out, "Directory for the report and its cache")->required();
-  command->add_option("--methods", o->methods, "With commas between them (all if not given)");
-  command->add_option("--backend", o->backends, "opengl, vulkan, or both: opengl,vulkan")
-      ->capture_default_str();
-  command->add_option("--surface", o->surface, "egl or osmesa (OpenGL only)");
-  command->add_option("--device", o->device, "Index from `groundglass devices`");
-  add_view_options(*command, o->view);
-  command->add_option("--samples", o->samples, "Sub-pixel samples of a picture")
-      ->capture_default_str();
-  command->add_option("--frames", o->frames, "Frames to time, of one sample per pixel")
-      ->capture_default_str();
-  CLI::Option* spp =
-      command->add_option("--spp", o->spp, "Samples per pixel of the truth")->capture_default_str();
+  command.option("SCENE", &o->scenes, "glTF 2.0 files").required();
+  command.option("-o,--output", &o->out, "Directory for the report and its cache").required();
+  command.option("--methods", &o->methods, "With commas between them (all if not given)");
+  command.option("--backend", &o->backends, "opengl, vulkan, or both: opengl,vulkan");
+  command.option("--surface", &o->surface, "egl or osmesa (OpenGL only)");
+  command.option("--device", &o->device, "Index from `groundglass devices`");
+  add_view_options(command, o->view);
+  command.option("--samples", &o->samples, "Sub-pixel samples of a picture");
+  command.option("--frames", &o->frames, "Frames to time, of one sample per pixel");
+  const Option spp = command.option("--spp", &o->spp, "Samples per pixel of the truth");
   command
-      ->add_option("--error", o->error,
-                   "Trace until the truth's relative error is this small (see truth --help)")
-      ->excludes(spp);
-  command->add_option("--smith", o->smith, "Shadowing: separable (Walter 2007) or correlated")
-      ->capture_default_str();
-  command->add_flag("--multiscatter", o->multiscatter,
-                    "Give back the energy of multiple scattering, in the truth too");
-  CLI::Option* budget = command->add_option(
-      "--budget", o->budget,
-      "Name the method within so many ms whose relMSE over the best 99 % of the "
-      "objects' pixels is least");
+      .option("--error", &o->error,
+              "Trace until the truth's relative error is this small (see truth --help)")
+      .excludes(spp);
+  command.option("--smith", &o->smith, "Shadowing: separable (Walter 2007) or correlated");
+  command.flag("--multiscatter", o->multiscatter,
+               "Give back the energy of multiple scattering, in the truth too");
+  const Option budget =
+      command.option("--budget", &o->budget,
+                     "Name the method within so many ms whose relMSE over the best 99 % of the "
+                     "objects' pixels is least");
   command
-      ->add_option("--max-error", o->max_error,
-                   "Name the fastest method whose relMSE over the objects is no larger")
-      ->excludes(budget);
-  command->callback([o] { run(*o); });
+      .option("--max-error", &o->max_error,
+              "Name the fastest method whose relMSE over the objects is no larger")
+      .excludes(budget);
+  command.action([o] { run(*o); });
 }
 
 } // namespace gg::commands

@@ -7,7 +7,6 @@
 #include "truth/interrupt.h"
 #include "truth/render.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -221,34 +220,34 @@ void trace(const Options& o) {
 
 } // namespace
 
-void add_truth(CLI::App& app) {
+void add_truth(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("truth", "Path trace the scene, until its error is small enough");
-  add_options(*command, options->scene);
-  command->add_option("-o,--output", options->out, "Picture to write: .exr")->required();
-  CLI::Option* spp = command->add_option(
-      "--spp", options->spp, fmt::format("Samples per pixel ({} if nothing is said)", default_spp));
+  Command command =
+      program.subcommand("truth", "Path trace the scene, until its error is small enough");
+  add_options(command, options->scene);
+  command.option("-o,--output", &options->out, "Picture to write: .exr").required();
+  const Option spp =
+      command.option("--spp", &options->spp,
+                     fmt::format("Samples per pixel ({} if nothing is said)", default_spp));
   command
-      ->add_option("--error", options->error,
-                   "Go on until the standard error over (mean + 0.1), RMS over the objects' "
-                   "pixels, is this small: 0.05 is 5 %")
-      ->excludes(spp);
-  command->add_option("--seed", options->seed, "Of the random numbers")->capture_default_str();
-  command->add_option("--smith", options->smith, "Shadowing: separable (Walter 2007) or correlated")
-      ->capture_default_str();
-  command->add_flag("--multiscatter", options->multiscatter,
-                    "Give back the energy of multiple scattering between a metal's facets");
-  command->add_flag("--surface-only", options->surface_only,
-                    "Each visible point lit through its BSDF alone: nothing shadows, nothing is "
-                    "reflected twice");
-  command->add_flag("--resume", options->resume, "Go on from the samples that the output file has");
-  command->add_flag("--half", options->half,
-                    "Store 16-bit floats and no standard errors by pixel: a small reference, which "
-                    "--resume cannot go on from");
-  command->add_option("--threads", options->threads, "0: as many as the machine has");
-  command->add_option("--json", options->json, "Write times, samples and error to this file");
-  command->callback([options] { trace(*options); });
+      .option("--error", &options->error,
+              "Go on until the standard error over (mean + 0.1), RMS over the objects' "
+              "pixels, is this small: 0.05 is 5 %")
+      .excludes(spp);
+  command.option("--seed", &options->seed, "Of the random numbers");
+  command.option("--smith", &options->smith, "Shadowing: separable (Walter 2007) or correlated");
+  command.flag("--multiscatter", options->multiscatter,
+               "Give back the energy of multiple scattering between a metal's facets");
+  command.flag("--surface-only", options->surface_only,
+               "Each visible point lit through its BSDF alone: nothing shadows, nothing is "
+               "reflected twice");
+  command.flag("--resume", options->resume, "Go on from the samples that the output file has");
+  command.flag("--half", options->half,
+               "Store 16-bit floats and no standard errors by pixel: a small reference, which "
+               "--resume cannot go on from");
+  command.option("--threads", &options->threads, "0: as many as the machine has");
+  command.option("--json", &options->json, "Write times, samples and error to this file");
+  command.action([options] { trace(*options); });
 }
 
 } // namespace gg::commands

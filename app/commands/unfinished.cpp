@@ -3,27 +3,26 @@
 #include "commands/commands.h"
 #include "core/error.h"
 
-#include <CLI/CLI.hpp>
-
 #include <string>
 
 namespace gg::commands {
 
-void add_unfinished(CLI::App& app) {
+void add_unfinished(Command program) {
   struct Unfinished {
     const char *name, *description, *instead;
   };
-  for (const Unfinished& command : {
+  for (const Unfinished& one : {
            Unfinished{"view", "Interactive viewer", "Use capture for a picture."},
            Unfinished{"snippet", "Print a shader snippet, flattened",
                       "The files are in shaders/; see shaders/README.md."},
        }) {
-    CLI::App* sub =
-        app.add_subcommand(command.name, std::string(command.description) + " (not yet available)");
-    sub->allow_extras();
-    sub->callback([command] {
-      throw Error(ExitCode::unsupported, std::string("groundglass ") + command.name,
-                  "is not available yet", command.instead);
+    Command command =
+        program.subcommand(one.name, std::string(one.description) + " (not yet available)");
+    const auto ignored = std::make_shared<std::vector<std::string>>();
+    command.option("WORDS", ignored.get(), "What it will take");
+    command.action([one, ignored] {
+      throw Error(ExitCode::unsupported, std::string("groundglass ") + one.name,
+                  "is not available yet", one.instead);
     });
   }
 }

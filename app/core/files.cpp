@@ -104,6 +104,7 @@ OutputFile::OutputFile(const fs::path& path) : path_(path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored))
     throw Error(ExitCode::output, path, "is a directory", "Name a file to write.");
+  made_.make(path.parent_path(), path);
   fs::path stem = path;
   stem.replace_extension();
   for (std::random_device random;;) {
@@ -119,6 +120,27 @@ OutputFile::OutputFile(const fs::path& path) : path_(path) {
                   "Check that its directory exists and that you may write there.");
   }
   slot_ = remember(temporary_);
+}
+
+void OutputFile::MadeDirectories::make(const fs::path& directory, const fs::path& wanted_for) {
+  std::error_code error;
+  std::vector<fs::path> missing;
+  for (fs::path up = directory; !up.empty() && !fs::exists(up, error); up = up.parent_path())
+    missing.push_back(up);
+  for (; !missing.empty(); missing.pop_back()) {
+    fs::create_directory(missing.back(), error);
+    if (error)
+      throw Error(ExitCode::output, wanted_for,
+                  "cannot be written: " + missing.back().string() + ": " + error.message(),
+                  "Choose a place where you may write.");
+    inner_first.insert(inner_first.begin(), missing.back());
+  }
+}
+
+OutputFile::MadeDirectories::~MadeDirectories() {
+  std::error_code ignored; // not empty: something was written
+  for (const fs::path& directory : inner_first)
+    fs::remove(directory, ignored);
 }
 
 OutputFile::~OutputFile() {

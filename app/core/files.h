@@ -22,7 +22,7 @@ std::string read_text(const std::filesystem::path& path);
 // (Ctrl-C).
 class OutputFile {
 public:
-  // Throws Error(output) if the directory does not exist or cannot be written.
+  // Makes the directories that are missing. Throws Error(output) if that or writing there is not possible.
   explicit OutputFile(const std::filesystem::path& path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -38,6 +38,14 @@ public:
   void commit();
 
 private:
+  // The directories that were missing. Its destructor removes those that are empty: all, if nothing
+  // came of the file.
+  struct MadeDirectories {
+    std::vector<std::filesystem::path> inner_first;
+    void make(const std::filesystem::path& directory, const std::filesystem::path& wanted_for);
+    ~MadeDirectories();
+  };
+  MadeDirectories made_;
   std::filesystem::path path_, temporary_;
   int slot_ = -1; // in the list that the interrupt handler removes
 };

@@ -118,6 +118,51 @@ TEST(capture, names_what_is_wrong_with_its_options) {
   expect_refusal({"paint"}, 2, "paint");
 }
 
+TEST(commands, ask_whether_something_near_was_meant) {
+  const auto expect = [](const std::vector<std::string>& words, const std::string& meant) {
+    const Finished f = run_program(words);
+    EXPECT_EQ(f.code, 2) << f.err;
+    EXPECT_TRUE(f.err.starts_with("groundglass: ")) << f.err;
+    EXPECT_NE(f.err.find("Did you mean " + meant + "?"), std::string::npos) << f.err;
+  };
+  expect({"captrue", suzanne}, "capture");
+  expect({"capture", suzanne, "--ouput", "a.png"}, "--output");
+  expect({"capture", suzanne, "-o", out("a.png"), "--method", "lobs2"}, "lobes2");
+  expect({"report", suzanne, "-o", out("report"), "--methods", "standrad"}, "standard");
+  expect({"eval", "--in", "a.csv", "-o", out("a.csv"), "--backend", "vulcan"}, "vulkan");
+}
+
+TEST(commands, say_in_our_words_which_option_is_wrong) {
+  const auto expect = [](const std::vector<std::string>& words, const std::string& part) {
+    const Finished f = run_program(words);
+    EXPECT_EQ(f.code, 2) << f.err;
+    EXPECT_TRUE(f.err.starts_with("groundglass: ")) << f.err;
+    EXPECT_NE(f.err.find(part), std::string::npos) << f.err;
+  };
+  expect({}, "no command is given");
+  expect({"capture", suzanne, "-o", "a.png", "--samples", "many"},
+         "--samples: 'many' is not a whole number");
+  expect({"capture", suzanne, "-o", "a.png", "--fovy", "1e99"}, "--fovy: '1e99' is too large");
+  expect({"capture", suzanne, "-o"}, "--output");
+  expect({"report", suzanne, "-o", "a", "--methods", "foo"}, "--methods: 'foo'");
+  expect({"truth", suzanne, "-o", "a.exr", "--spp", "4", "--error", ".1"}, "excludes --");
+  expect({"capture", suzanne, sky, "-o", "a.png"}, "one argument too many");
+}
+
+TEST(capture, makes_the_folders_that_are_missing_and_leaves_none_behind_if_it_fails) {
+  const fs::path inner = scratch_directory() / "new" / "inner";
+  EXPECT_EQ(run_program({"capture", suzanne, "-o", inner / "a.exr", "--size", "8x8", "--env",
+                         "none", "--device", "99"})
+                .code,
+            6);
+  EXPECT_FALSE(fs::exists(inner.parent_path()));
+  EXPECT_EQ(
+      run_program({"capture", suzanne, "-o", inner / "a.exr", "--size", "8x8", "--env", "none"})
+          .code,
+      0);
+  EXPECT_TRUE(fs::exists(inner / "a.exr"));
+}
+
 TEST(capture, names_the_file_that_it_cannot_read_or_write) {
   const std::string png = out("picture.png");
   expect_refusal({"capture", "/no/such/model.glb", "-o", png}, 3, "/no/such/model.glb");
@@ -125,10 +170,9 @@ TEST(capture, names_the_file_that_it_cannot_read_or_write) {
                  "/no/such/sky.hdr");
   expect_refusal({"capture", suzanne, "-o", png, "--env", suzanne}, 3, "Suzanne.gltf");
   expect_refusal({"capture", sky, "-o", png}, 3, "studio_small_03_1k.hdr");
-  expect_refusal({"capture", suzanne, "-o", "/no/such/directory/picture.png"}, 5,
-                 "/no/such/directory/picture.png");
-  expect_refusal({"capture", suzanne, "-o", png, "--json", "/no/such/directory/times.json"}, 5,
-                 "/no/such/directory/times.json");
+  expect_refusal({"capture", suzanne, "-o", "/dev/null/picture.png"}, 5, "/dev/null/picture.png");
+  expect_refusal({"capture", suzanne, "-o", png, "--json", "/dev/null/times.json"}, 5,
+                 "/dev/null/times.json");
 }
 
 TEST(capture, a_missing_driver_is_a_message_that_says_what_to_install) {

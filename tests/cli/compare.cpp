@@ -69,6 +69,13 @@ TEST(compare_command, prints_a_table_and_writes_the_same_numbers) {
   EXPECT_GT(image::read(path("map.png")).height, 20);
 }
 
+TEST(compare_command, takes_objects_by_name_and_by_id) {
+  const std::string test = constant("test.exr", 24, 0.6f), reference = truth("truth.exr", 0.001f);
+  const Finished by_name = run_program({"compare", test, reference, "--objects", "Ball"});
+  EXPECT_EQ(by_name.code, 0) << by_name.err;
+  EXPECT_EQ(by_name.out, run_program({"compare", test, reference, "--objects", "1"}).out);
+}
+
 TEST(compare_command, says_when_the_reference_is_too_noisy_and_when_it_does_not_say) {
   const std::string test = constant("test.exr", 24, 0.501f);
   const Finished noisy = run_program({"compare", test, truth("truth.exr", 0.01f)});
@@ -121,14 +128,15 @@ TEST(compare_command, names_what_is_wrong_and_writes_nothing) {
                  {"a.exr", "b.exr", "24 x 20", "25 x 20"});
   expect_refusal({"compare", a, path("missing.exr"), "--json", json}, 3, {"missing.exr"});
   expect_refusal({"compare", a, a, "--map", path("map.jpg")}, 2, {"map.jpg", ".png"});
-  expect_refusal({"compare", a, a, "--map", map, "--json", "/no/such/directory/n.json"}, 5,
-                 {"/no/such/directory/n.json"});
-  expect_refusal({"compare", a, a, "--map", "/no/such/directory/m.png", "--json", json}, 5,
-                 {"/no/such/directory/m.png"});
+  expect_refusal({"compare", a, a, "--map", map, "--json", "/dev/null/n.json"}, 5,
+                 {"/dev/null/n.json"});
+  expect_refusal({"compare", a, a, "--map", "/dev/null/m.png", "--json", json}, 5,
+                 {"/dev/null/m.png"});
   expect_refusal({"compare", a, a, "--objects", "1"}, 2, {"a.exr", "channel id"});
   expect_refusal({"compare", a, t, "--objects", "2"}, 2, {"truth.exr", "no object 2"});
-  for (const char* id : {"0", "-1", "ball", "1.5", "99999999999"})
+  for (const char* id : {"0", "-1", "Cube", "1.5", "99999999999"})
     expect_refusal({"compare", a, t, "--objects", id}, 2, {id});
+  expect_refusal({"compare", a, t, "--objects", "Bal"}, 2, {"Did you mean Ball?"});
   image::Image bad = image::read(a);
   bad.at(3, 2, 1) = NAN;
   image::write(path("bad.exr"), bad);

@@ -82,7 +82,7 @@ def ours(program, lobe, dist, metal, cases):
                 eta = 0 if metal else (1 / case["ior"] if case["inside"] else case["ior"])
                 numbers = [case["alpha"], eta, case["n"], case["k"], *case["i"], *case["o"], 0, 0, 1]
                 out.writerow([number, lobe, dist] + [f"{x:.9g}" for x in numbers])
-        subprocess.run([program, "eval", "--backend", "cpu", "--in", queries, "--out", values], check=True)
+        subprocess.run([program, "eval", "--backend", "cpu", "--in", queries, "--output", values], check=True)
         with open(values, newline="") as file:
             return [{k: float(v) for k, v in row.items()} for row in csv.DictReader(file)]
 

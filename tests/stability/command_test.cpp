@@ -19,7 +19,7 @@ const std::string header = "id,lobe,dist,alpha,eta,cn,ck,ix,iy,iz,ox,oy,oz,nx,ny
 const std::string row = ",R,ggx,0.3,1.5,0,0,0.6,0,0.8,-0.6,0,0.8,0,0,1\n";
 
 Finished eval(const std::string& text, const std::vector<std::string>& more, const fs::path& out) {
-  std::vector<std::string> words = {"eval", "--in", scratch_file("queries.csv", text), "--out",
+  std::vector<std::string> words = {"eval", "--in", scratch_file("queries.csv", text), "--output",
                                     out};
   words.insert(words.end(), more.begin(), more.end());
   return run_program(words);
@@ -73,10 +73,11 @@ TEST(eval, a_bad_row_is_named_by_line_and_nothing_is_written) {
 }
 
 TEST(eval, unreadable_and_unwritable_files_have_their_exit_codes) {
-  const fs::path nowhere = scratch_directory() / "none" / "values.csv";
+  const fs::path nowhere = "/dev/null/values.csv";
   EXPECT_EQ(eval(header + "a" + row, {}, nowhere).code, static_cast<int>(ExitCode::output));
-  EXPECT_EQ(run_program({"eval", "--in", nowhere, "--out", scratch_directory() / "out.csv"}).code,
-            static_cast<int>(ExitCode::input));
+  EXPECT_EQ(
+      run_program({"eval", "--in", nowhere, "--output", scratch_directory() / "out.csv"}).code,
+      static_cast<int>(ExitCode::input));
   EXPECT_EQ(eval(header, {"--backend", "abacus"}, nowhere).code, static_cast<int>(ExitCode::usage));
 }
 

@@ -47,11 +47,11 @@ class Proof:
     def values(self, name):
         cases, out = self.file("cases"), self.file(name if name == "cpu" else f"{name}-{self.backend}")
         if name == "cpu":
-            self.must(self.program, "eval", "--backend", "cpu", "--in", cases, "--out", out)
+            self.must(self.program, "eval", "--backend", "cpu", "--in", cases, "--output", out)
         elif name == "textbook":
             self.must(self.variants, self.backend, "values", name, cases, out)
         else:
-            self.must(self.program, "eval", "--backend", self.backend, "--form", name, "--in", cases, "--out", out)
+            self.must(self.program, "eval", "--backend", self.backend, "--form", name, "--in", cases, "--output", out)
         return f"{name}={out}"
 
     def table(self, names, *words):
