@@ -35,7 +35,7 @@ Closure::Closure(const Interface& interface, const glm::dvec3& n, const glm::dve
   // How much each lobe sends on, guessed for the flat mirror. Any share between 0 and 1 is right on
   // average; a tenth at least to each bounds what a wrong guess costs.
   const Fresnel flat = fresnel(std::clamp(glm::dot(n, wo), 0.0, 1.0));
-  double base = dielectric_ * largest(i_.diffuse) * flat.entering;
+  double base = dielectric_ * largest(i_.diffuse) * reaches_base(flat);
   if (i_.many_bounces)
     base += i_.metallic * largest(i_.bounce_tint)
             * (1.0 - i_.many_bounces->at(glm::dot(n, wo), i_.alpha));
@@ -64,7 +64,7 @@ Closure::Fresnel Closure::fresnel(double c) const {
       f.entering = f64::fresnelTransmittedAt(c, i_.eta);
     }
   }
-  f.reflected = dielectric_ * coat;
+  f.reflected = (dielectric_ * i_.coated) * coat;
   if (i_.metallic > 0.0) {
     const glm::dvec3 metal =
         i_.metal ? f64::fresnelConductorRgb(c, glm::dvec3(i_.metal->n), glm::dvec3(i_.metal->k))
@@ -72,6 +72,11 @@ Closure::Fresnel Closure::fresnel(double c) const {
     f.reflected += i_.metallic * metal;
   }
   return f;
+}
+
+// Of what comes along wo: what the coat lets through to the base, or all where the base comes first.
+double Closure::reaches_base(const Fresnel& f) const {
+  return i_.coated < 1.0 ? 1.0 : f.entering;
 }
 
 // Both, if both are worth it; else one, each as often as it carries light.
@@ -99,7 +104,7 @@ Scattered Closure::evaluate(const glm::dvec3& wi) const {
     const bool grazing = !facet.exists; // wo on the horizon, or wi opposite to it
     const Fresnel f = fresnel(facet.woDotM);
     if (diffuse_share_ > 0.0) {
-      s.f_cos += f.entering * dielectric_ * i_.diffuse * (facet.wi.z / std::numbers::pi);
+      s.f_cos += reaches_base(f) * dielectric_ * i_.diffuse * (facet.wi.z / std::numbers::pi);
       if (i_.many_bounces) s.f_cos += bounced_often(facet.wi.z) * facet.wi.z;
       s.pdf += diffuse_share_ * facet.wi.z / std::numbers::pi;
     }

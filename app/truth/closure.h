@@ -30,7 +30,10 @@ struct Interface {
   // that each of its bounces takes on.
   const Albedo* many_bounces = nullptr;
   glm::dvec3 bounce_tint{0.0};
-  glm::dvec3 diffuse{0.0};  // albedo under the coat, all shares included
+  glm::dvec3 diffuse{0.0}; // albedo of the base, all shares included
+  // Share of the dielectric whose coat wo meets. From outside the coat lies over all of it. From
+  // within a solid opaque parts of the base come first and hide it: the clear share is left.
+  double coated = 1.0;
   glm::dvec3 transmit{0.0}; // factor on what is refracted, all shares included
 };
 
@@ -85,6 +88,7 @@ public:
   const glm::dvec3& n() const { return n_; }
 
 private:
+  double reaches_base(const Fresnel& fresnel) const;
   // Probabilities of following what a facet reflects and what it refracts.
   struct Chances {
     double reflect = 1.0, refract = 0.0;

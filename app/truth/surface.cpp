@@ -180,6 +180,7 @@ Interface interface_of(const Surface& s, double near_ior, double far_ior, Smith 
   }
   i.diffuse = (1.0 - s.transmission) * s.base_color;
   i.transmit = s.transmission * tint;
+  if (s.kind == SurfaceKind::solid && !s.front) i.coated = s.transmission;
   return i;
 }
 

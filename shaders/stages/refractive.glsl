@@ -14,6 +14,7 @@
 #include "stages/glass_inside.glsl"
 #include "stages/glass.glsl"
 #include "stages/thin_wall.glsl"
+#include "stages/glass_partly_clear.glsl"
 #include "stages/glass_lookups.glsl"
 #include "stages/importance.glsl"
 #include "stages/importance_glass.glsl"
@@ -25,6 +26,8 @@ vec4 refractiveColor(vec4 base) {
     // A base colour tints what passes once: its root at each face of a solid.
     bool twice = !seenFromWithin || gl_FrontFacing;
     vec3 tint = through * (twice ? s.baseColor : sqrt(s.baseColor));
+    // The far face is clear by the same share.
+    float clear = transmission == 2 && twice ? through : 1.0;
     vec3 radiance = s.emissive;
     float ior = ofPixel(material.surface.w); // tables and composition branch on it
     MirrorBeams mirror = noMirror(s);
@@ -35,7 +38,8 @@ vec4 refractiveColor(vec4 base) {
         radiance += light.diffuse;
     }
     if (indexIsOne) {
-        radiance += tint * throughNothing() + farMirror(mirror);
+        radiance += tint * clear * throughNothing() + farMirror(mirror);
+        if (clear < 1.0) radiance += tint * (1.0 - clear) * baseWithin(s.baseColor, clear, ior) * wideRadiance(s.n);
     } else if (method == 0) {
         radiance += tint * throughStandard(s, ior) + farMirror(mirror);
     } else {
@@ -59,12 +63,18 @@ vec4 refractiveColor(vec4 base) {
             beams.core.beam.turn = turnOverPixel(beams.core.beam.direction);
             beams.rest.beam.turn = beams.core.beam.turn;
             beams.bounced.beam.turn = turnOverPixel(beams.bounced.beam.direction);
+            if (clear < 1.0) {
+                vec3 energy = energyOf(beams);
+                beams = throughClearShare(beams, clear);
+                energy -= energyOf(beams);
+                radiance += mask * tint * energy * baseWithin(s.baseColor, clear, own) * wideRadiance(s.n);
+            }
             beams.core.weight *= tint;
             beams.rest.weight *= tint;
             beams.bounced.weight *= tint;
             beams.leftOver.weight *= tint;
             if (method >= 100 && twice && !(beams.within >= 0.0)) {
-                radiance += mask * tint * sampledGlass(s, own, beams, method - 100);
+                radiance += mask * tint * clear * sampledGlass(s, own, beams, method - 100);
                 beams.core.weight = vec3(0.0);
             }
             radiance += mask * glassRadiance(beams, reflected);

@@ -11,6 +11,7 @@ using scene::Scene;
 
 struct Shape {
   scene::Stream positions{.components = 3}, normals{.components = 3};
+  scene::Stream uvs{.components = 2}; // if it has any
   scene::Indices indices;
   scene::Bounds bounds;
 
@@ -33,6 +34,10 @@ void add(Scene& scene, const scene::Material& material, const Shape& shape) {
   primitive.bounds = shape.bounds;
   scene.streams.push_back(shape.positions);
   scene.streams.push_back(shape.normals);
+  if (shape.uvs.count() > 0) {
+    primitive.uvs = {static_cast<Index>(scene.streams.size())};
+    scene.streams.push_back(shape.uvs);
+  }
   scene.indices.push_back(shape.indices);
   scene.materials.push_back(material);
   scene.instances.push_back({.mesh = static_cast<Index>(scene.meshes.size())});
@@ -63,6 +68,9 @@ void add_ball(Scene& scene, const scene::Material& material, glm::vec3 centre, f
       const glm::vec3 n(std::sin(theta) * std::sin(phi), std::cos(theta),
                         std::sin(theta) * std::cos(phi));
       shape.corner(centre + radius * n, n);
+      shape.uvs.values.insert(shape.uvs.values.end(),
+                              {6.0f * static_cast<float>(j) / static_cast<float>(segments),
+                               4.0f * static_cast<float>(i) / static_cast<float>(rings)});
     }
   const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(i * (segments + 1) + j); };
   for (int i = 0; i < rings; ++i)

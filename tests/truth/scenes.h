@@ -6,7 +6,7 @@
 namespace gg::truth::test {
 
 // A ball of geodesic-like rings (`rings` of them, twice as many segments), exact normals at its
-// corners.
+// corners; texture coordinates that run through 6 x 4 pictures around it.
 void add_ball(scene::Scene& scene, const scene::Material& material, glm::vec3 centre, float radius,
               int rings);
 // A rectangle in the plane z = `z`, facing +Z, from -half to half in x and y.

@@ -1,0 +1,23 @@
+// glass_partly_clear.glsl: solids whose faces are clear in part only: transmission below 1, or metal.
+// Needs    stages/glass_beams.glsl, stages/surroundings.glsl.
+// Source   README.md, "Bodies of glass": each face is clear by the share that the near one is; the rest of it shows its base.
+// Limits   the base within is lit alike from all sides, and metal counts as if it were diffuse.
+
+vec3 energyOf(GlassBeams beams) { return beams.core.weight + beams.rest.weight + beams.bounced.weight + beams.leftOver.weight; }
+
+// What meets the clear share of every face on its way: one at least, and two of what the first has reflected.
+GlassBeams throughClearShare(GlassBeams beams, float clear) {
+    GlassBeams b = beams;
+    b.core.weight *= clear;
+    b.rest.weight *= clear;
+    b.bounced.weight *= clear * clear;
+    b.leftOver.weight *= clear * clear;
+    return b;
+}
+
+// The base that is seen within shows so much of the light around the solid: a cavity whose wall lets light in and out by its clear
+// share, reflects the rest of that by Fresnel's mean for diffuse light (at 60 degrees, within .005), and by its base beside it.
+vec3 baseWithin(vec3 baseColor, float clear, float ior) {
+    float leaves = clear * clamp((1.0 - fresnelDielectricAt(0.5, ior)) / (ior * ior), 0.0, 1.0);
+    return baseColor * leaves / max(vec3(1.0) - (1.0 - clear) * baseColor - vec3(clear - leaves), vec3(1e-6));
+}
