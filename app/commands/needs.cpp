@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "environment/stack.h"
+#include "frame/words.h"
 #include "needs/words.h"
 
 #include <fmt/core.h>
@@ -42,10 +43,13 @@ void print(const Options& o) {
   if (const auto map = load_environment(o.scene, scene))
     view.environment = environment::bytes_of(*map);
   const needs::Needs needs = needs::needs_of(scene, view);
-  fmt::print("{}: {}x{}, {} samples, {}\n{}", o.scene.scene, size.width, size.height,
-             o.method.samples, o.method.method, needs::text_of(needs));
+  const frame::Graph graph = frame::graph_of(needs);
+  fmt::print("{}: {}x{}, {} samples, {}\n{}\n{}", o.scene.scene, size.width, size.height,
+             o.method.samples, o.method.method, needs::text_of(needs),
+             frame::text_of(needs, graph));
   if (o.json.empty()) return;
   nlohmann::json report = needs::json_of(needs);
+  report.update(frame::json_of(needs, graph));
   report["scene"] = o.scene.scene;
   report["method"] = o.method.method;
   OutputFile file(o.json);

@@ -2,18 +2,45 @@
 
 namespace gg::frame {
 
+namespace {
+
+gpu::Cull cull_of(const needs::LayerDraw& draw) {
+  switch (draw.faces) {
+  case needs::Faces::front:
+    return gpu::Cull::back;
+  case needs::Faces::back:
+    return gpu::Cull::front;
+  case needs::Faces::as_material:
+    return draw.draw->both_sides ? gpu::Cull::none : gpu::Cull::back;
+  }
+  return gpu::Cull::none;
+}
+
+} // namespace
+
 Draws::Draws(gpu::Device& device, const UploadedScene& uploaded, const tables::DeviceTables& tables)
-    : device_(device), uploaded_(uploaded), tables_(tables), sampled_(uploaded.sampled()) {
-  for (const tables::ModelTables& model : tables.of_model)
+    : device_(device), uploaded_(uploaded), tables_(tables) {}
+
+std::vector<gpu::View> Draws::sampled() const {
+  std::vector<gpu::View> views = uploaded_.sampled();
+  for (const tables::ModelTables& model : tables_.of_model)
     for (const gpu::TextureRef& table :
          {model.energy, model.lobe, model.interface_energy, model.interface_lobes,
           model.wall_energy, model.wall_lobes})
-      if (table) sampled_.push_back(gpu::whole(table));
+      if (table) views.push_back(gpu::whole(table));
+  return views;
+}
+
+gpu::PipelineRef Draws::pipeline(const gpu::PipelineDesc& desc) {
+  std::string key = desc.label + ' ' + desc.fragment;
+  for (const gpu::Constant& constant : desc.constants)
+    key += ' ' + std::to_string(constant.id) + '=' + std::to_string(constant.bits);
+  gpu::PipelineRef& found = pipelines_[key];
+  if (!found) found = device_.create(desc);
+  return found;
 }
 
 gpu::PipelineRef Draws::pipeline(const DrawPass& pass, const needs::Draw& draw) {
-  gpu::PipelineRef& found = pipelines_[{pass.label, draw.key}];
-  if (found) return found;
   gpu::PipelineDesc desc{.label = pass.label,
                          .vertex = pass.by_region ? "region.vert" : "opaque.vert",
                          .fragment = pass.fragment,
@@ -32,8 +59,11 @@ gpu::PipelineRef Draws::pipeline(const DrawPass& pass, const needs::Draw& draw) 
                                  .binding = static_cast<int>(desc.bindings.size())});
       desc.bindings.push_back({.stride = static_cast<std::uint32_t>(input.components) * 4u});
     }
-  found = device_.create(desc);
-  return found;
+  return pipeline(desc);
+}
+
+Recorded Draws::recorded(const DrawPass& pass, const needs::LayerDraw& draw) {
+  return {draw.draw, pipeline(pass, *draw.draw), cull_of(draw)};
 }
 
 void Draws::bind(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
@@ -65,28 +95,33 @@ void Draws::bind(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
   }
 }
 
-void Draws::record(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
-                   const needs::Draw& draw) const {
-  record(encoder, pipeline, draw, draw.both_sides ? gpu::Cull::none : gpu::Cull::back);
-}
-
-void Draws::record(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline, const needs::Draw& draw,
-                   gpu::Cull cull) const {
-  bind(encoder, pipeline, draw);
+void Draws::record(gpu::Encoder& encoder, const Recorded& recorded) const {
+  const needs::Draw& draw = *recorded.draw;
+  bind(encoder, recorded.pipeline, draw);
   for (std::size_t k = 0; k < draw.inputs.size(); ++k)
     encoder.vertices(static_cast<int>(k), uploaded_.stream(draw.inputs[k].stream));
-  encoder.cull(cull);
+  encoder.cull(recorded.cull);
   encoder.front_is_clockwise(draw.mirrored);
   encoder.indices(uploaded_.indices(draw.primitive->indices));
   encoder.draw_indexed(static_cast<std::uint32_t>(draw.index_count));
 }
 
-void Draws::record_region(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
-                          const needs::Draw& draw) const {
-  bind(encoder, pipeline, draw);
+void Draws::record(gpu::Encoder& encoder, const Records& records) const {
+  for (const Recorded& recorded : records)
+    record(encoder, recorded);
+}
+
+void Draws::shade(gpu::Encoder& encoder, const RecordedRegion& region,
+                  const UniformArray& regions) const {
+  bind_region(encoder, regions, region.block);
+  bind(encoder, region.pipeline, *region.draw);
   encoder.cull(gpu::Cull::back);
   encoder.front_is_clockwise(false);
   encoder.draw(6);
+}
+
+void bind_region(gpu::Encoder& encoder, const UniformArray& regions, std::size_t block) {
+  encoder.buffer("Region", regions.buffer, regions.offset(block), regions.size);
 }
 
 } // namespace gg::frame

@@ -1,6 +1,7 @@
 // How a pass records what is drawn: a pipeline per pass and features, kept once compiled.
 #pragma once
 
+#include "frame/uniform_array.h"
 #include "frame/uploaded_scene.h"
 #include "gpu/device.h"
 #include "needs/needs.h"
@@ -8,14 +9,13 @@
 
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace gg::frame {
 
 // What a pass does with draws: stages/opaque.vert into one of its fragment stages, or stages/region.vert, which takes no mesh.
 struct DrawPass {
-  std::string label; // of the pipelines; passes of the same label are the same pass
+  std::string label; // of the pipelines
   bool by_region = false;
   std::string fragment;
   std::vector<gpu::Format> colors;
@@ -26,26 +26,41 @@ struct DrawPass {
   std::vector<gpu::Constant> constants; // besides those of the features
 };
 
+// A draw, ready to be recorded.
+struct Recorded {
+  const needs::Draw* draw;
+  gpu::PipelineRef pipeline;
+  gpu::Cull cull;
+};
+using Records = std::vector<Recorded>;
+
+// What is shaded by region: the block that says where.
+struct RecordedRegion {
+  const needs::Draw* draw;
+  gpu::PipelineRef pipeline;
+  std::size_t block;
+};
+
 class Draws {
 public:
   Draws(gpu::Device& device, const UploadedScene& scene, const tables::DeviceTables& tables);
 
   // Compiled at the first call, kept from then on.
+  gpu::PipelineRef pipeline(const gpu::PipelineDesc& desc);
   gpu::PipelineRef pipeline(const DrawPass& pass, const needs::Draw& draw);
+  Recorded recorded(const DrawPass& pass, const needs::LayerDraw& draw);
 
-  // Binds the draw's geometry, instance, material, maps and tables and draws it; the pass has bound
-  // Frame, Lights and the environment. `cull` in place of the material's own.
-  void record(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
-              const needs::Draw& draw) const;
-  void record(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline, const needs::Draw& draw,
-              gpu::Cull cull) const;
+  // Binds the draw's geometry, instance, material, textures and tables and draws it; the pass has bound Frame, Lights and the
+  // environment.
+  void record(gpu::Encoder& encoder, const Recorded& recorded) const;
+  void record(gpu::Encoder& encoder, const Records& records) const;
 
-  // The same without geometry: two triangles that cover what Region, bound by the caller, says.
-  void record_region(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
-                     const needs::Draw& draw) const;
+  // The same without geometry: two triangles that cover the region.
+  void shade(gpu::Encoder& encoder, const RecordedRegion& region,
+             const UniformArray& regions) const;
 
-  // Every texture that record() may bind: what a pass has to declare.
-  const std::vector<gpu::View>& sampled() const { return sampled_; }
+  // Every texture that these may bind: what a pass has to declare.
+  std::vector<gpu::View> sampled() const;
 
 private:
   void bind(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline, const needs::Draw& draw) const;
@@ -53,8 +68,10 @@ private:
   gpu::Device& device_;
   const UploadedScene& uploaded_;
   const tables::DeviceTables& tables_;
-  std::vector<gpu::View> sampled_;
-  std::map<std::pair<std::string, needs::FeatureKey>, gpu::PipelineRef> pipelines_;
+  std::map<std::string, gpu::PipelineRef> pipelines_;
 };
+
+// Binds the block that says where a region is.
+void bind_region(gpu::Encoder& encoder, const UniformArray& regions, std::size_t block);
 
 } // namespace gg::frame

@@ -3,6 +3,7 @@
 
 #include "gpu/device.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -15,19 +16,21 @@ struct UniformArray {
   std::size_t offset(std::size_t i) const { return i * stride; }
 };
 
-// `values` may be empty: the buffer then holds one element of zeros.
+// Puts `values` into the buffer, or into a new one where they are more or fewer than before. `values` may be empty: the buffer
+// then holds one element of zeros.
 template <class T>
-UniformArray upload_uniforms(gpu::Device& device, const std::string& label,
-                             const std::vector<T>& values) {
-  UniformArray array;
+void update_uniforms(gpu::Device& device, UniformArray& array, const std::string& label,
+                     const std::vector<T>& values) {
   array.size = sizeof(T);
   array.stride =
       (sizeof(T) + gpu::block_alignment - 1) / gpu::block_alignment * gpu::block_alignment;
   std::vector<std::byte> padded(array.stride * std::max<std::size_t>(values.size(), 1));
   for (std::size_t i = 0; i < values.size(); ++i)
     std::memcpy(&padded[array.offset(i)], &values[i], sizeof(T));
-  array.buffer = device.create(gpu::BufferDesc{label, padded.size(), gpu::Use::uniforms}, padded);
-  return array;
+  if (array.buffer && array.buffer->desc.bytes == padded.size())
+    device.upload(array.buffer, 0, padded);
+  else
+    array.buffer = device.create(gpu::BufferDesc{label, padded.size(), gpu::Use::uniforms}, padded);
 }
 
 } // namespace gg::frame

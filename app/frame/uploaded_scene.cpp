@@ -127,62 +127,68 @@ gpu::TextureRef upload_image(gpu::Device& device, const std::string& label,
 
 } // namespace
 
-UploadedScene::UploadedScene(gpu::Device& device, const needs::Needs& needs) : needs_(needs) {
-  upload_geometry(device);
-  upload_blocks(device);
-  upload_textures(device);
+void UploadedScene::set(const needs::Needs& needs) {
+  needs_ = &needs;
+  upload_geometry();
+  upload_blocks();
+  upload_textures();
 }
 
-void UploadedScene::upload_geometry(gpu::Device& device) {
-  const auto upload = [&](const char* name, scene::Index i, std::span<const std::byte> values,
-                          gpu::Use use) {
-    return device.create(gpu::BufferDesc{name + std::to_string(i), values.size(), use}, values);
+void UploadedScene::upload_geometry() {
+  const auto upload = [&](gpu::BufferRef& buffer, const char* name, scene::Index i,
+                          std::span<const std::byte> values, gpu::Use use) {
+    if (!buffer)
+      buffer =
+          device_.create(gpu::BufferDesc{name + std::to_string(i), values.size(), use}, values);
   };
-  for (const scene::Index i : needs_.streams)
-    streams_[i] =
-        upload("stream ", i, bytes(needs_.scene->streams[static_cast<std::size_t>(i)].values),
-               gpu::Use::vertices);
-  for (const scene::Index i : needs_.index_lists)
-    indices_[i] = upload("indices ", i, bytes(needs_.scene->indices[static_cast<std::size_t>(i)]),
-                         gpu::Use::indices);
+  for (const scene::Index i : needs_->streams)
+    upload(streams_[i], "stream ", i,
+           bytes(needs_->scene->streams[static_cast<std::size_t>(i)].values), gpu::Use::vertices);
+  for (const scene::Index i : needs_->index_lists)
+    upload(indices_[i], "indices ", i, bytes(needs_->scene->indices[static_cast<std::size_t>(i)]),
+           gpu::Use::indices);
 }
 
-void UploadedScene::upload_blocks(gpu::Device& device) {
+void UploadedScene::upload_blocks() {
   std::vector<uniforms::MaterialData> materials;
-  for (const Material* m : needs_.draws.materials) {
+  for (const Material* m : needs_->draws.materials) {
     materials.push_back(block_of(*m));
     materials.back().transmission.w = static_cast<float>(materials.size() - 1);
   }
-  materials_ = upload_uniforms(device, "materials", materials);
+  update_uniforms(device_, materials_, "materials", materials);
   std::vector<uniforms::InstanceData> instances;
-  for (const scene::Instance* i : needs_.draws.instances)
+  for (const scene::Instance* i : needs_->draws.instances)
     instances.push_back(block_of(*i, instances.size()));
-  instances_ = upload_uniforms(device, "instances", instances);
+  update_uniforms(device_, instances_, "instances", instances);
 
+  if (lights_) return;
   std::vector<uniforms::LightData> lights;
-  for (const scene::Light& light : needs_.scene->lights)
+  for (const scene::Light& light : needs_->scene->lights)
     lights.push_back(block_of(light));
   if (lights.empty()) lights.emplace_back();
-  lights_ = device.create(gpu::BufferDesc{"lights", bytes(lights).size(), gpu::Use::storage},
-                          bytes(lights));
+  lights_ = device_.create(gpu::BufferDesc{"lights", bytes(lights).size(), gpu::Use::storage},
+                           bytes(lights));
 }
 
-void UploadedScene::upload_textures(gpu::Device& device) {
-  for (const needs::Image& image : needs_.images)
-    images_[{image.image, image.srgb}] = upload_image(
-        device, "image " + std::to_string(image.image),
-        *needs_.scene->images[static_cast<std::size_t>(image.image)], image.srgb, image.mipmaps);
-  for (const needs::Draw& draw : needs_.draws.all)
+void UploadedScene::upload_textures() {
+  for (const needs::Image& image : needs_->images) {
+    gpu::TextureRef& texture = images_[{image.image, image.srgb}];
+    if (!texture || (image.mipmaps && texture->desc.levels == 1))
+      texture = upload_image(device_, "image " + std::to_string(image.image),
+                             *needs_->scene->images[static_cast<std::size_t>(image.image)],
+                             image.srgb, image.mipmaps);
+  }
+  for (const needs::Draw& draw : needs_->draws.all)
     for (const needs::Map& map : draw.maps) {
       const auto [at, is_new] = samplers_.try_emplace(map.texture);
       if (is_new)
-        at->second = device.create(
-            sampler_of(needs_.scene->textures[static_cast<std::size_t>(map.texture)].sampler));
+        at->second = device_.create(
+            sampler_of(needs_->scene->textures[static_cast<std::size_t>(map.texture)].sampler));
     }
 }
 
 UploadedTexture UploadedScene::texture(const needs::Map& map) const {
-  const scene::Index image = needs_.scene->textures[static_cast<std::size_t>(map.texture)].image;
+  const scene::Index image = needs_->scene->textures[static_cast<std::size_t>(map.texture)].image;
   return {gpu::whole(images_.at({image, map.srgb})), samplers_.at(map.texture)};
 }
 

@@ -21,10 +21,12 @@ struct UploadedTexture {
 
 class UploadedScene {
 public:
-  // Both must outlive this.
-  UploadedScene(gpu::Device& device, const needs::Needs& needs);
+  explicit UploadedScene(gpu::Device& device) : device_(device) {}
 
-  const needs::Needs& needs() const { return needs_; }
+  // Uploads what is not there yet; `needs` must outlive this or the next call.
+  void set(const needs::Needs& needs);
+
+  const needs::Needs& needs() const { return *needs_; }
   // Of what the needs list.
   const gpu::BufferRef& stream(scene::Index i) const { return streams_.at(i); }
   const gpu::BufferRef& indices(scene::Index i) const { return indices_.at(i); }
@@ -35,11 +37,12 @@ public:
   const gpu::BufferRef& lights() const { return lights_; } // one unused light if there are none
 
 private:
-  void upload_geometry(gpu::Device& device);
-  void upload_blocks(gpu::Device& device);
-  void upload_textures(gpu::Device& device);
+  void upload_geometry();
+  void upload_blocks();
+  void upload_textures();
 
-  const needs::Needs& needs_;
+  gpu::Device& device_;
+  const needs::Needs* needs_ = nullptr;
   std::map<scene::Index, gpu::BufferRef> streams_, indices_;
   UniformArray materials_, instances_;
   gpu::BufferRef lights_;

@@ -69,25 +69,6 @@ bool holds_something(const Draw& solid, const std::vector<Draw>& draws) {
   });
 }
 
-// The shape of the solid that the draw is part of, which is worked out once per mesh and material.
-class Shapes {
-public:
-  explicit Shapes(const scene::Scene& scene) : scene_(scene) {}
-  const scene::SolidShape& of(const scene::Instance& instance, scene::Index material) {
-    const auto [at, is_new] = shapes_.try_emplace({instance.mesh, material});
-    if (!is_new) return at->second;
-    std::vector<const scene::Primitive*> parts;
-    for (const scene::Primitive& p :
-         scene_.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
-      if (p.material == material) parts.push_back(&p);
-    return at->second = scene::solid_shape(scene_, parts);
-  }
-
-private:
-  const scene::Scene& scene_;
-  std::map<std::pair<scene::Index, scene::Index>, scene::SolidShape> shapes_;
-};
-
 // Pairs of a front and a back face that the rays inside are followed through. Peers' method takes the material's word
 // for the way inside; what bends nothing needs it only where it absorbs, and then from its first front to its first back.
 int interior_pairs(const Draw& draw, const View& view, const scene::Instance& instance,
@@ -153,7 +134,7 @@ bool is_outside(const scene::Bounds& bounds, const glm::dmat4& clip_from_world, 
   return beyond != 0;
 }
 
-Draws draws_of(const scene::Scene& scene, const View& view) {
+Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes) {
   const FrameFeatures frame{.method = view.method,
                             .correlated_smith = view.correlated_smith,
                             .multiple_scattering = view.multiple_scattering,
@@ -201,7 +182,6 @@ Draws draws_of(const scene::Scene& scene, const View& view) {
       draw.mirrored = instance.mirrored;
       draw.both_sides = material.double_sided;
     }
-  Shapes shapes(scene);
   for (Draw& draw : draws.all) {
     const scene::Instance& instance = *draws.instances[draw.instance_index];
     const int pairs = interior_pairs(draw, view, instance, shapes);

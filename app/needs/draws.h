@@ -2,6 +2,7 @@
 #pragma once
 
 #include "needs/features.h"
+#include "needs/shapes.h"
 #include "needs/view.h"
 #include "scene/scene.h"
 
@@ -64,7 +65,7 @@ struct Draws {
 };
 
 // `scene` must outlive the result. What is not in the view, or cannot be seen, is as if it were not in the file.
-Draws draws_of(const scene::Scene& scene, const View& view);
+Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes);
 
 // Whether nothing of the box can be within a pixel of the picture: samples lie half a pixel off, and rounding far less.
 bool is_outside(const scene::Bounds& bounds, const glm::dmat4& clip_from_world, int width,

@@ -6,18 +6,6 @@
 namespace gg::needs {
 namespace {
 
-std::size_t bytes_of(Texel texel) {
-  switch (texel) {
-  case Texel::rgba32f:
-  case Texel::rgba32ui:
-    return 16;
-  case Texel::r32f:
-  case Texel::depth32f:
-    return 4;
-  }
-  return 0;
-}
-
 std::size_t texels(int width, int height, int levels) {
   std::size_t count = 0;
   for (int level = 0; level < levels; ++level)
@@ -37,11 +25,6 @@ std::vector<scene::Index> each_once(std::vector<scene::Index> list) {
 
 int mip_levels(int width, int height) {
   return std::bit_width(static_cast<unsigned>(std::max(width, height)));
-}
-
-std::size_t bytes_of(const Target& t) {
-  return texels(t.width, t.height, t.levels) * static_cast<std::size_t>(t.layers)
-         * bytes_of(t.texel);
 }
 
 std::size_t bytes_of(const Image& image) {

@@ -1,4 +1,4 @@
-// What a scene's frame keeps on the device: targets, images, buffers, and their bytes.
+// What a scene's frame takes of the file to the device: images and buffers.
 #pragma once
 
 #include "needs/draws.h"
@@ -9,16 +9,6 @@
 
 namespace gg::needs {
 
-enum class Texel { rgba32f, r32f, rgba32ui, depth32f };
-
-// A texture that passes draw into.
-struct Target {
-  std::string name;
-  Texel texel = Texel::rgba32f;
-  int width = 0, height = 0;
-  int layers = 1, levels = 1;
-};
-
 // An image of the file as materials read it.
 struct Image {
   scene::Index image = scene::none;
@@ -27,7 +17,6 @@ struct Image {
 };
 
 int mip_levels(int width, int height); // of a complete chain
-std::size_t bytes_of(const Target& target);
 std::size_t bytes_of(const Image& image);
 
 // Each once: images in the order of first use, the others by index.

@@ -1,7 +1,6 @@
 #include "needs/needs.h"
 
 #include "needs/regions.h"
-#include "uniforms/blocks.h"
 
 #include <algorithm>
 #include <functional>
@@ -12,16 +11,6 @@ namespace {
 // Glass behind glass behind glass...: each layer takes a pyramid of its own. Past so many, surfaces
 // share the last one: they hide each other but do not show each other.
 constexpr std::size_t most_layers = 8;
-
-// The narrowest level is this many pixels across its shorter side: it stands for a blur as wide as the picture.
-constexpr int least_pyramid = 4;
-
-int pyramid_levels(int width, int height) {
-  int levels = 1;
-  for (int size = std::min(width, height); size / 2 >= least_pyramid; size /= 2)
-    ++levels;
-  return levels;
-}
 
 // Whether a thing's reflection shows what stands about it: metals, and what is glossy. A rough
 // dielectric reflects 4 % of a blur of half the world: its error without is below that.
@@ -71,40 +60,6 @@ scene::Bounds bounds_of(const std::vector<Draw>& draws, const scene::Bounds& sce
   return bounds;
 }
 
-// Colours keep 32 bits: scene colour radiance beyond half floats' range (a sun through a hole in the clouds is above
-// 100,000), and its blur and mean with it.
-std::vector<Target> targets_of(const Needs& needs) {
-  const int width = needs.view.width, height = needs.view.height;
-  const auto target = [&](const char* name, Texel texel, int layers = 1, int levels = 1) {
-    return Target{name, texel, width, height, layers, levels};
-  };
-  std::vector<Target> targets{target("scene color", Texel::rgba32f),
-                              target("scene depth", Texel::depth32f)};
-  if (needs.view.samples > 1) targets.push_back(target("average", Texel::rgba32f));
-  bool shows = false, blurs = needs.reflects();
-  int pairs = 0;
-  for (const Layer& layer : needs.layers) {
-    shows = shows || layer.shows_behind();
-    blurs = blurs || layer.blurs;
-    pairs = std::max(pairs, layer.interior_pairs);
-  }
-  if (shows || blurs)
-    targets.push_back(
-        target("screen pyramid", Texel::rgba32f, 1, blurs ? pyramid_levels(width, height) : 1));
-  if (blurs) targets.push_back(target("backdrop depth", Texel::r32f));
-  if (std::ranges::any_of(needs.layers, &Layer::interleaves))
-    targets.push_back(target("glass depth", Texel::r32f));
-  if (pairs > 0) {
-    targets.push_back(target("interior", Texel::rgba32ui, 2 * pairs));
-    targets.push_back(target("interior depth", Texel::depth32f));
-  }
-  if (!needs.opaque_regions.empty()) {
-    targets.push_back(target("geometry", Texel::rgba32ui));
-    targets.push_back(target("material depth", Texel::depth32f));
-  }
-  return targets;
-}
-
 // Of one lobe, where it is looked up.
 int lookups_per_lobe(Method method, int taps) {
   const int number = static_cast<int>(method);
@@ -140,44 +95,6 @@ Lookups lookups_of(const Needs& needs) {
   return most;
 }
 
-template <class T>
-std::size_t padded(std::size_t count) {
-  constexpr std::size_t alignment = 256; // of uniform blocks, on every device
-  return (sizeof(T) + alignment - 1) / alignment * alignment * std::max<std::size_t>(count, 1);
-}
-
-std::vector<Share> memory_of(const Needs& needs) {
-  const scene::Scene& scene = *needs.scene;
-  std::size_t vertices = 0, indices = 0, tables = 0, maps = 0, targets = 0;
-  for (const scene::Index i : needs.streams)
-    vertices += scene.streams[static_cast<std::size_t>(i)].values.size() * sizeof(float);
-  for (const scene::Index i : needs.index_lists)
-    indices += scene.indices[static_cast<std::size_t>(i)].size() * sizeof(std::uint32_t);
-  for (const Table& table : needs.tables)
-    tables += table.bytes;
-  for (const Image& image : needs.images)
-    maps += bytes_of(image);
-  for (const Target& target : needs.targets)
-    targets += bytes_of(target);
-  // One more for where all opaque ones are.
-  std::size_t regions = needs.opaque_regions.empty() ? 0 : needs.opaque_regions.size() + 1;
-  for (const Layer& layer : needs.layers)
-    regions += layer.regions.size();
-  const std::size_t blocks =
-      padded<uniforms::FrameData>(static_cast<std::size_t>(needs.view.samples))
-      + padded<uniforms::MaterialData>(needs.draws.materials.size())
-      + padded<uniforms::InstanceData>(needs.draws.instances.size())
-      + (regions ? padded<uniforms::RegionData>(regions) : 0)
-      + std::max<std::size_t>(scene.lights.size(), 1) * sizeof(uniforms::LightData);
-  return {{"environment", needs.view.environment.value_or(0)},
-          {"tables", tables},
-          {"maps", maps},
-          {"vertices", vertices},
-          {"indices", indices},
-          {"blocks", blocks},
-          {"targets", targets}};
-}
-
 } // namespace
 
 std::size_t Needs::triangle_count() const {
@@ -207,23 +124,12 @@ bool Needs::reflects_glass() const {
          });
 }
 
-std::size_t Needs::bytes() const {
-  std::size_t sum = 0;
-  for (const Share& share : memory)
-    sum += share.bytes;
-  return sum;
-}
-
-const Target* Needs::target(const std::string& name) const {
-  const auto found = std::ranges::find(targets, name, &Target::name);
-  return found == targets.end() ? nullptr : &*found;
-}
-
-Needs needs_of(const scene::Scene& scene, const View& view) {
+Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes) {
+  Shapes own(scene);
   Needs needs;
   needs.scene = &scene;
   needs.view = view;
-  needs.draws = draws_of(scene, view);
+  needs.draws = draws_of(scene, view, shapes ? *shapes : own);
   needs.sky = view.environment.has_value();
   needs.company = needs.sky && needs.draws.all.size() > 1 && view.method != Method::standard;
   if (view.method != Method::standard) needs.walls = walls_of(scene, needs.draws);
@@ -235,9 +141,6 @@ Needs needs_of(const scene::Scene& scene, const View& view) {
   needs.images = images_of(scene, needs.draws.all);
   needs.streams = streams_of(needs.draws.all);
   needs.index_lists = index_lists_of(needs.draws.all);
-  needs.targets = targets_of(needs);
-  needs.passes = passes_of(needs);
-  needs.memory = memory_of(needs);
   needs.lookups = lookups_of(needs);
   return needs;
 }

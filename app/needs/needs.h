@@ -1,11 +1,10 @@
-// What a frame of a scene needs, decided in one place and carried out by app/frame: draws, layers, passes, targets, tables,
-// maps and their bytes. Pure: no device, and the same answer for the same question.
+// What a frame of a scene needs, decided in one place and carried out by app/frame: draws, layers, tables, images.
+// Pure: no device, and the same answer for the same question.
 #pragma once
 
 #include "needs/draws.h"
 #include "needs/layers.h"
 #include "needs/memory.h"
-#include "needs/passes.h"
 #include "needs/tables.h"
 #include "needs/view.h"
 #include "needs/walls.h"
@@ -22,12 +21,6 @@ struct Lookups {
   int refracted = 0; // of what is seen through glass, where light first comes to leave it
   int bounced = 0;   // where it leaves after total reflections inside a solid
   int left_over = 0; // for what has not left then
-};
-
-// Bytes on the device by what they are for.
-struct Share {
-  std::string of;
-  std::size_t bytes = 0;
 };
 
 // Points into itself and into the scene: it can be moved, not copied.
@@ -54,9 +47,6 @@ struct Needs {
   std::vector<Table> tables;
   std::vector<Image> images;
   std::vector<scene::Index> streams, index_lists; // of the scene, that draws read
-  std::vector<Target> targets;
-  std::vector<Pass> passes; // of one sample
-  std::vector<Share> memory;
   Lookups lookups;
 
   bool reflects() const { return !reflective.empty() || !reflective_regions.empty(); }
@@ -64,9 +54,7 @@ struct Needs {
   bool shades_opaque_late() const { return reflects() || !opaque_regions.empty(); }
   // What reflects is shaded once more when glass is there to be seen in it. Nothing blended may lie over it then.
   bool reflects_glass() const;
-  std::size_t triangle_count() const;                  // per sample, each draw once
-  std::size_t bytes() const;                           // of `memory` together
-  const Target* target(const std::string& name) const; // null: there is none
+  std::size_t triangle_count() const; // per sample, each draw once
 };
 
 // Whether a reflective surface is shaded again for the glass about it: metal. Others reflect a few hundredths of it.
@@ -75,7 +63,7 @@ bool shows_glass(const Draw& reflective);
 // Total reflections inside a solid that are followed.
 inline constexpr int most_bounces = 4;
 
-// `scene` must outlive the result.
-Needs needs_of(const scene::Scene& scene, const View& view);
+// `scene` must outlive the result. `shapes`, of that scene, spares working them out again for another view.
+Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes = nullptr);
 
 } // namespace gg::needs

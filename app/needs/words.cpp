@@ -55,61 +55,8 @@ std::string name_of(const FeatureName& feature, int value) {
   return named ? std::string(feature.name) + ": " + named : feature.name;
 }
 
-const char* word(Texel texel) {
-  switch (texel) {
-  case Texel::rgba32f:
-    return "rgba32f";
-  case Texel::r32f:
-    return "r32f";
-  case Texel::rgba32ui:
-    return "rgba32ui";
-  case Texel::depth32f:
-    return "depth32f";
-  }
-  return "";
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  return fmt::format("{}", fmt::join(words, ", "));
-}
-
 std::string counted(std::size_t n, const char* thing) {
   return fmt::format("{} {}{}", n, thing, n == 1 ? "" : "s");
-}
-
-std::string size_of(const Target& t) {
-  std::string text = fmt::format("{}x{}", t.width, t.height);
-  if (t.layers > 1) text += fmt::format(" x {} layers", t.layers);
-  if (t.levels > 1) text += fmt::format(", {} levels", t.levels);
-  return text;
-}
-
-// The levels of a pyramid follow each other and are one line.
-std::string passes_text(const std::vector<Pass>& passes) {
-  std::size_t wide = 0; // the column of what is read
-  for (const Pass& pass : passes)
-    wide = std::max(wide, joined(pass.reads).size() + 2);
-  const auto row = [wide](const std::string& label, std::size_t draws, const std::string& reads,
-                          const std::string& writes) {
-    return fmt::format("{:<14}{:>6}  {:<{}}{}\n", label, draws ? std::to_string(draws) : "", reads,
-                       wide, writes);
-  };
-  std::string text =
-      fmt::format("{:<14}{:>6}  {:<{}}{}\n", "pass", "draws", "reads", wide, "writes");
-  for (std::size_t i = 0; i < passes.size(); ++i) {
-    const Pass& pass = passes[i];
-    if (pass.kind == PassKind::pyramid) {
-      std::size_t last = i;
-      while (last + 1 < passes.size() && passes[last + 1].kind == PassKind::pyramid)
-        ++last;
-      text += row(fmt::format("pyramid x {}", last - i + 1), 0, "each the level before",
-                  fmt::format("screen pyramid {} to {}", pass.part, passes[last].part));
-      i = last;
-      continue;
-    }
-    text += row(pass.label, pass.draws, joined(pass.reads), joined(pass.writes));
-  }
-  return text;
 }
 
 } // namespace
@@ -139,7 +86,7 @@ std::string text_of(const Needs& needs) {
   if (draws.outside) text += fmt::format("; {} outside the view are left out", draws.outside);
   if (draws.invisible)
     text += fmt::format("; {} that cannot be seen are left out", draws.invisible);
-  text += "\n\n" + passes_text(needs.passes);
+  text += "\n";
   if (!needs.layers.empty())
     text += counted(needs.layers.size(), "layer") + " of glass, far to near\n";
 
@@ -155,40 +102,16 @@ std::string text_of(const Needs& needs) {
   if (!needs.tables.empty()) text += "\ntables\n";
   for (const Table& table : needs.tables)
     text += fmt::format("  {:<44}{:>12}\n", table.file, table.bytes);
-  text += "\ntargets\n";
-  for (const Target& target : needs.targets)
-    text += fmt::format("  {:<16}{:<28}{:>12}\n", target.name,
-                        size_of(target) + " " + word(target.texel), bytes_of(target));
-  text += "\nbytes on the device\n";
-  for (const Share& share : needs.memory)
-    if (share.bytes > 0) text += fmt::format("  {:<44}{:>12}\n", share.of, share.bytes);
-  text += fmt::format("  {:<44}{:>12}\n", "together", needs.bytes());
   return text;
 }
 
 nlohmann::json json_of(const Needs& needs) {
   using nlohmann::json;
-  json passes = json::array(), features = json::object(), tables = json::array(),
-       targets = json::array(), memory = json::object();
-  for (const Pass& pass : needs.passes)
-    passes.push_back({{"label", pass.label},
-                      {"draws", pass.draws},
-                      {"reads", pass.reads},
-                      {"writes", pass.writes}});
+  json features = json::object(), tables = json::array();
   for (const FeatureUse& use : features_in_use(needs.draws.all))
     features[use.name] = use.draws;
   for (const Table& table : needs.tables)
     tables.push_back({{"file", table.file}, {"taps", table.taps}, {"bytes", table.bytes}});
-  for (const Target& target : needs.targets)
-    targets.push_back({{"name", target.name},
-                       {"texel", word(target.texel)},
-                       {"width", target.width},
-                       {"height", target.height},
-                       {"layers", target.layers},
-                       {"levels", target.levels},
-                       {"bytes", bytes_of(target)}});
-  for (const Share& share : needs.memory)
-    memory[share.of] = share.bytes;
   return {{"width", needs.view.width},
           {"height", needs.view.height},
           {"samples", needs.view.samples},
@@ -197,17 +120,13 @@ nlohmann::json json_of(const Needs& needs) {
           {"invisible", needs.draws.invisible},
           {"triangles", needs.triangle_count()},
           {"layers", needs.layers.size()},
-          {"passes", passes},
           {"features", features},
           {"lookups",
            {{"reflected", needs.lookups.reflected},
             {"refracted", needs.lookups.refracted},
             {"bounced", needs.lookups.bounced},
             {"left_over", needs.lookups.left_over}}},
-          {"tables", tables},
-          {"targets", targets},
-          {"memory", memory},
-          {"bytes", needs.bytes()}};
+          {"tables", tables}};
 }
 
 } // namespace gg::needs

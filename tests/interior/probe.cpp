@@ -1,6 +1,7 @@
 #include "interior/probe.h"
 
-#include "frame/interior.h"
+#include "frame/execution.h"
+#include "frame/passes/passes.h"
 #include "frame/uniform_array.h"
 #include "needs/needs.h"
 #include "uniforms/blocks.h"
@@ -37,11 +38,12 @@ ProbeResult probe(gpu::Device& device, const scene::Scene& scene, const ProbeDes
                   int repeats) {
   const needs::Needs needs = needs::needs_of(
       scene, {.camera = desc.camera, .width = desc.width, .height = desc.height, .samples = 1});
-  const frame::UploadedScene uploaded(device, needs);
+  frame::UploadedScene uploaded(device);
+  uploaded.set(needs);
   const tables::DeviceTables no_tables;
   frame::Draws draws(device, uploaded, no_tables);
-  const frame::UniformArray block =
-      frame::upload_uniforms(device, "frame", std::vector{frame_block(desc)});
+  frame::UniformArray block, no_regions;
+  frame::update_uniforms(device, block, "frame", std::vector{frame_block(desc)});
   const auto begin = [&](gpu::Encoder& encoder) {
     encoder.buffer("Frame", block.buffer, 0, block.size);
   };
@@ -49,10 +51,17 @@ ProbeResult probe(gpu::Device& device, const scene::Scene& scene, const ProbeDes
   for (const needs::Draw& draw : needs.draws.all)
     if (draw.is_solid()) solids.push_back(&draw);
 
-  const frame::Interior interior(device, desc.width, desc.height, desc.pairs);
-  std::vector<gpu::Pass> passes;
+  frame::Graph graph{.width = desc.width, .height = desc.height};
   for (int part = 0; part < 2 * desc.pairs; ++part)
-    passes.push_back(interior.pass(draws, solids, part, begin));
+    frame::declare_faces(graph, solids, part, desc.pairs);
+  frame::Context context{device, needs, draws, no_regions};
+  frame::Execution execution(device);
+  execution.set(graph, context,
+                {.bind = [&](gpu::Encoder& encoder, int) { begin(encoder); }, .reads = {}});
+  std::vector<gpu::Pass> passes = execution.passes(0);
+  const gpu::TextureRef faces = execution.texture("interior");
+  const gpu::SamplerRef nearest = device.create(
+      gpu::SamplerDesc{.magnify = gpu::Filter::nearest, .minify = gpu::Filter::nearest});
 
   gpu::TextureRef targets[3];
   gpu::PipelineDesc pipeline{
@@ -62,7 +71,7 @@ ProbeResult probe(gpu::Device& device, const scene::Scene& scene, const ProbeDes
       .constants = {gpu::constant(0, desc.pairs), gpu::constant(1, desc.bounces),
                     gpu::constant(2, scene.materials.front().ior), gpu::constant(3, desc.shown)},
       .cull = gpu::Cull::none};
-  gpu::Pass pass{.label = "probe", .reads = {interior.sampled()}};
+  gpu::Pass pass{.label = "probe", .reads = {gpu::whole(faces)}};
   for (gpu::TextureRef& target : targets) {
     target = device.create(gpu::TextureDesc{.label = "probe",
                                             .format = gpu::Format::rgba32f,
@@ -76,7 +85,7 @@ ProbeResult probe(gpu::Device& device, const scene::Scene& scene, const ProbeDes
   pass.record = [&](gpu::Encoder& encoder) {
     begin(encoder);
     encoder.use(search);
-    interior.bind(encoder);
+    encoder.texture("interior", gpu::whole(faces), nearest);
     encoder.draw(3);
   };
   passes.push_back(pass);
@@ -102,7 +111,7 @@ ProbeResult probe(gpu::Device& device, const scene::Scene& scene, const ProbeDes
                              .share = rest[i].z,
                              .thickness = rest[i].w});
   for (int layer = 0; layer < 2 * desc.pairs; ++layer) {
-    const std::vector<std::byte> bytes = device.read(interior.sampled().texture, 0, layer);
+    const std::vector<std::byte> bytes = device.read(faces, 0, layer);
     std::vector<std::uint32_t>& values = result.layers.emplace_back(bytes.size() / 4);
     std::memcpy(values.data(), bytes.data(), bytes.size());
   }

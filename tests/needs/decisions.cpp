@@ -1,5 +1,6 @@
 // What is needed for what: the pure function, without a device.
 #include "core/files.h"
+#include "frame/declare.h"
 #include "needs/needs.h"
 #include "render/shapes.h"
 #include "scene/load.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gg::test {
 namespace {
@@ -29,11 +31,19 @@ View view(Method method = Method::lobes2) {
           .environment = 0};
 }
 
+// The levels of a pyramid count once.
 Labels labels(const Needs& needs) {
   Labels all;
-  for (const needs::Pass& pass : needs.passes)
-    if (pass.kind != needs::PassKind::pyramid || pass.part == 1) all.push_back(pass.label);
+  for (const frame::Pass& pass : frame::graph_of(needs).passes)
+    if (pass.label != "pyramid" || all.back() != "pyramid") all.push_back(pass.label);
   return all;
+}
+
+// None: nothing draws into such a target.
+std::optional<frame::Target> target(const Needs& needs, const char* name) {
+  const frame::Graph graph = frame::graph_of(needs);
+  const frame::Target* found = graph.find(name);
+  return found ? std::optional(*found) : std::nullopt;
 }
 
 bool has_table(const Needs& needs, const std::string& stem) {
@@ -66,7 +76,7 @@ TEST(needs, an_opaque_scene_has_one_pass) {
   const scene::Scene scene = box(dielectric(0.5f));
   const Needs needs = needs::needs_of(scene, view());
   EXPECT_EQ(labels(needs), Labels{"opaque"});
-  EXPECT_EQ(needs.targets.size(), 2u);
+  EXPECT_EQ(frame::graph_of(needs).targets.size(), 2u);
   EXPECT_FALSE(has_table(needs, "interface"));
   EXPECT_EQ(needs.lookups.refracted, 0);
 }
@@ -79,7 +89,7 @@ TEST(needs, a_wall_without_inside_has_no_interior) {
   const scene::Scene scene = square(thin(glass(0.3f)));
   const Needs needs = needs::needs_of(scene, view());
   EXPECT_EQ(labels(needs), (Labels{"opaque", "backdrop", "pyramid", "refractive"}));
-  EXPECT_EQ(needs.target("interior"), nullptr);
+  EXPECT_FALSE(target(needs, "interior"));
 }
 
 TEST(needs, a_convex_solid_takes_one_pair_of_faces_and_others_two) {
@@ -87,14 +97,14 @@ TEST(needs, a_convex_solid_takes_one_pair_of_faces_and_others_two) {
   const Needs convex = needs::needs_of(scene, view());
   EXPECT_EQ(labels(convex),
             (Labels{"opaque", "backdrop", "pyramid", "interior F1", "interior B1", "refractive"}));
-  EXPECT_EQ(convex.target("interior")->layers, 2);
+  EXPECT_EQ(target(convex, "interior")->layers, 2);
 
   scene::Scene head = scene::load(home_directory() / "assets/scenes/Suzanne/Suzanne.gltf");
   head.materials[0] = glass(0.3f);
   const Needs concave = needs::needs_of(head, view());
   EXPECT_EQ(labels(concave), (Labels{"opaque", "backdrop", "pyramid", "interior F1", "interior B1",
                                      "interior F2", "interior B2", "refractive"}));
-  EXPECT_EQ(concave.target("interior")->layers, 4);
+  EXPECT_EQ(target(concave, "interior")->layers, 4);
 }
 
 // Half of what loses its way in a rough body comes from behind the viewer.
@@ -119,7 +129,7 @@ TEST(needs, index_one_takes_no_tables_and_an_inside_only_where_it_absorbs) {
   const Needs tinted = needs::needs_of(tinted_ball, view());
   EXPECT_EQ(labels(tinted), (Labels{"opaque", "backdrop", "refractive"}));
   EXPECT_TRUE(tinted.tables.empty());
-  EXPECT_EQ(tinted.target("screen pyramid")->levels, 1);
+  EXPECT_EQ(target(tinted, "screen pyramid")->levels, 1);
 
   clear.attenuation_color = glm::vec3(0.5f);
   clear.attenuation_distance = 1.0f;
@@ -198,7 +208,12 @@ TEST(needs, depth_is_taken_anew_behind_what_makes_images) {
     add(scene, box(glass(0.3f)), at({0, 0, 3}));
     const Needs needs = needs::needs_of(scene, view());
     EXPECT_EQ(needs.layers.size(), 2u);
-    return std::ranges::count_if(needs.passes, &needs::Pass::takes_depth);
+    const frame::Graph graph = frame::graph_of(needs);
+    return std::ranges::count_if(graph.passes, [&](const frame::Pass& pass) {
+      return std::ranges::any_of(pass.colors, [&](const frame::ColorOutput& color) {
+        return name_of(graph, color.part) == "backdrop depth";
+      });
+    });
   };
   EXPECT_EQ(depths_taken(ball(glass(0.1f))), 2);
   EXPECT_EQ(depths_taken(box(glass(0.1f))), 1);
@@ -274,7 +289,7 @@ TEST(needs, the_depth_of_glass_is_taken_where_it_may_hide_parts_of_a_solid_drawn
     add(scene, ball(material), at({-0.9f, 0, 0}));
     const Needs needs = needs::needs_of(scene, view());
     EXPECT_EQ(needs.layers.size(), 2u);
-    return needs.target("glass depth") != nullptr;
+    return target(needs, "glass depth").has_value();
   };
   EXPECT_TRUE(taken(-0.5f, glass(0.1f))); // the box lies farther, its front before the ball's back
   EXPECT_FALSE(taken(-3.0f, glass(0.1f)));
@@ -350,7 +365,7 @@ TEST(needs, a_fine_mesh_is_shaded_by_its_pixels_and_a_coarse_one_by_its_triangle
   EXPECT_EQ(labels(small), (Labels{"geometry", "opaque", "material depth", "deferred"}));
   EXPECT_TRUE(small.opaque.empty());
   ASSERT_EQ(small.opaque_regions.size(), 1u);
-  EXPECT_NE(small.target("geometry"), nullptr);
+  EXPECT_TRUE(target(small, "geometry"));
 
   // The ball's box is 2.4 of 5 high: 16 pixels per triangle are passed at about 1,600 high.
   needs::View large = view();
@@ -359,7 +374,7 @@ TEST(needs, a_fine_mesh_is_shaded_by_its_pixels_and_a_coarse_one_by_its_triangle
   large.width = large.height = 2400;
   const Needs coarse = needs::needs_of(scene, large);
   EXPECT_EQ(labels(coarse), Labels{"opaque"});
-  EXPECT_EQ(coarse.target("geometry"), nullptr);
+  EXPECT_FALSE(target(coarse, "geometry"));
 }
 
 // Depth and normal are all that is kept of the mesh, and without light there is nothing to save.
@@ -403,7 +418,6 @@ TEST(needs, what_reflects_is_shaded_again_once_the_glass_about_it_is_there) {
                      "refractive", "backdrop", "pyramid",     "reflective"};
   const Needs needs = needs::needs_of(scene, view());
   EXPECT_EQ(labels(needs), drawn);
-  EXPECT_TRUE(needs.passes.back().kind == needs::PassKind::reflective);
   // A glossy dielectric shows a few hundredths of it.
   scene::Scene plaster = square(dielectric(0.3f));
   add(plaster, box(glass(0.1f)), at({2.5f, 0, 0}));

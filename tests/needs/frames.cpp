@@ -8,6 +8,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <set>
+#include <string>
+
 namespace gg::test {
 namespace {
 
@@ -15,8 +19,8 @@ constexpr int size = 48;
 
 struct Drawn {
   image::Image picture;
-  std::vector<std::string> passes, listed;
-  std::size_t bytes = 0, expected = 0; // on the device, for this frame
+  std::set<std::string> passes, listed; // by what the device timed; as declared
+  std::size_t bytes = 0, expected = 0;  // on the device, for this frame
   std::uint64_t draws = 0;
 };
 
@@ -43,14 +47,17 @@ Drawn draw(const scene::Scene& scene) {
                             .environment = {.stack = &stack},
                             .method = frame::Method::lobes2});
   drawn.bytes = device().memory_bytes() - before + environment::bytes_of(map);
-  drawn.expected = renderer.needs().bytes();
+  drawn.expected = bytes_of(frame::memory_of(renderer.needs(), renderer.graph()));
   const std::uint64_t draws = device().counters().draws;
   renderer.draw();
   drawn.draws = device().counters().draws - draws;
   drawn.picture = renderer.read();
-  drawn.passes = renderer.pass_labels();
-  for (const needs::Pass& pass : renderer.needs().passes)
-    drawn.listed.push_back(pass.label);
+  std::map<std::string, double> times;
+  renderer.draw_sample(0, &times);
+  for (const auto& [label, ms] : times)
+    drawn.passes.insert(label);
+  for (const std::string& label : renderer.pass_labels())
+    drawn.listed.insert(label);
   EXPECT_TRUE(is_finite(drawn.picture));
   return drawn;
 }
@@ -120,6 +127,40 @@ TEST(needs, glass_that_cannot_be_seen_is_not_drawn) {
   add(laden, ball(glass(0.7f, 1.0f)), at({0, 0.3f, 1}));
   laden.bounds = plain.bounds;
   expect_same(draw(plain), draw(laden));
+}
+
+// A renderer that is set to another frame draws it as a new one does, and makes nothing anew for a frame of the same kind.
+TEST(needs, a_frame_that_is_set_is_the_frame_that_is_made) {
+  scene::Scene scene = company();
+  const auto desc = [](int width, const glm::vec3& eye, frame::Method method) {
+    return frame::FrameDesc{
+        .width = width, .height = size, .samples = 2, .camera = camera_at(eye), .method = method};
+  };
+  const auto fresh = [&](const frame::FrameDesc& of) {
+    frame::Renderer renderer(device(), scene, of);
+    renderer.draw();
+    return renderer.read();
+  };
+  const frame::FrameDesc first = desc(size, {0, 0, 6}, frame::Method::lobes2);
+  frame::Renderer renderer(device(), scene, first);
+  renderer.draw();
+  for (const frame::FrameDesc& next :
+       {desc(size, {0.5f, 1, 5}, frame::Method::lobes2), desc(64, {0, 0, 6}, frame::Method::lobes1),
+        desc(size, {0, 0, 7}, frame::Method::standard), first}) {
+    renderer.set(next);
+    renderer.draw();
+    EXPECT_TRUE(renderer.read().values == fresh(next).values);
+  }
+  scene.materials[0] = glass(0.5f, 1.3f);
+  renderer.materials_changed();
+  renderer.draw();
+  EXPECT_TRUE(renderer.read().values == fresh(first).values);
+
+  const gpu::DeviceCounters before = device().counters();
+  renderer.set(desc(size, {0.1f, 0, 6}, frame::Method::lobes2));
+  renderer.draw();
+  EXPECT_EQ(device().counters().created, before.created);
+  EXPECT_EQ(device().counters().compiled, before.compiled);
 }
 
 } // namespace gg::test

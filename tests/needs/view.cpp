@@ -41,7 +41,6 @@ TEST(view, leaves_out_what_is_beside_it_and_behind_the_eye) {
   const needs::Needs needs = needs::needs_of(scene, view);
   EXPECT_EQ(needs.draws.all.size(), 1u);
   EXPECT_EQ(needs.draws.outside, 3u);
-  EXPECT_EQ(needs.passes.size(), 1u);
   EXPECT_TRUE(needs.layers.empty());
 }
 

@@ -1,0 +1,30 @@
+#include "frame/declare.h"
+
+#include "frame/passes/passes.h"
+
+namespace gg::frame {
+
+Graph graph_of(const needs::Needs& needs) {
+  Graph graph{.width = needs.view.width, .height = needs.view.height};
+  declare_geometry(graph, needs);
+  declare_opaque(graph, needs);
+  declare_material_depth(graph, needs);
+  declare_deferred(graph, needs);
+  declare_reflective(graph, needs, false);
+  declare_blended(graph, needs);
+  for (std::size_t l = 0; l < needs.layers.size(); ++l) { // far to near
+    std::optional<Backdrop> backdrop;
+    if (needs.layers[l].shows_behind()) {
+      backdrop = declare_backdrop(graph, needs, l);
+      declare_foreground(graph, needs, l, *backdrop);
+      declare_pyramid(graph, *backdrop);
+    }
+    const std::optional<Input> interior = declare_interior(graph, needs, l);
+    declare_refractive(graph, needs, l, backdrop, interior);
+  }
+  declare_reflective(graph, needs, true);
+  declare_accumulate(graph, needs);
+  return graph;
+}
+
+} // namespace gg::frame

@@ -1,0 +1,43 @@
+// A frame graph on a device: its textures, and what each pass records.
+#pragma once
+
+#include "frame/context.h"
+#include "frame/graph.h"
+#include "gpu/device.h"
+
+#include <functional>
+#include <vector>
+
+namespace gg::frame {
+
+class Execution {
+public:
+  explicit Execution(gpu::Device& device);
+
+  // What all passes share: binds it for a sample, and the textures among it that a device has drawn into.
+  struct Shared {
+    std::function<void(gpu::Encoder&, int sample)> bind;
+    std::vector<gpu::View> reads;
+  };
+  // Textures of an earlier graph are kept where they fit. All arguments must outlive the passes.
+  void set(const Graph& graph, Context& context, Shared shared);
+
+  // Of the i-th sample of a frame.
+  std::vector<gpu::Pass> passes(int sample) const;
+  const gpu::TextureRef& texture(const std::string& target) const; // which the graph has
+
+private:
+  gpu::View view(const Part& part) const;
+  gpu::View one(const Part& part) const; // one level and layer
+  gpu::Pass pass(std::size_t i, int sample) const;
+
+  gpu::Device& device_;
+  gpu::SamplerRef nearest_, linear_;
+  const Graph* graph_ = nullptr;
+  Shared shared_;
+  std::vector<gpu::TextureRef> textures_;
+  std::vector<std::size_t> texture_of_; // by target
+  std::vector<Record> records_;         // by pass
+};
+
+} // namespace gg::frame

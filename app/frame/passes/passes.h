@@ -1,0 +1,44 @@
+// The passes of a frame, one file each: when a pass is needed, what it reads and writes, its shaders, how it records.
+// To add one: a file here, its declaration below, and its place in frame/declare.cpp.
+#pragma once
+
+#include "frame/context.h"
+
+namespace gg::frame {
+
+// What glass looks up behind it: the scene-colour pyramid, and depths.
+struct Backdrop {
+  Part pyramid;
+  bool blurs = false;               // with levels, and the depth of what rays meet
+  std::optional<Part> depth;        // of what rays meet
+  std::optional<Part> hiding_depth; // of what hides regions of this layer
+  std::vector<Input> inputs() const;
+};
+
+void declare_geometry(Graph& graph, const needs::Needs& needs);
+void declare_opaque(Graph& graph, const needs::Needs& needs);
+void declare_material_depth(Graph& graph, const needs::Needs& needs);
+void declare_deferred(Graph& graph, const needs::Needs& needs);
+void declare_blended(Graph& graph, const needs::Needs& needs);
+Backdrop declare_backdrop(Graph& graph, const needs::Needs& needs, std::size_t layer);
+void declare_foreground(Graph& graph, const needs::Needs& needs, std::size_t layer,
+                        const Backdrop& backdrop);
+void declare_pyramid(Graph& graph, const Backdrop& backdrop);
+void declare_reflective(Graph& graph, const needs::Needs& needs, bool glass);
+// All faces that the layer's solids want; nothing if there are none.
+std::optional<Input> declare_interior(Graph& graph, const needs::Needs& needs, std::size_t layer);
+// One of `pairs` pairs: part 0 is the nearest front face, 1 the nearest back face, 2 and 3 the next of each. The solids must not
+// hide each other on the screen. Returns the array of faces.
+std::size_t declare_faces(Graph& graph, const std::vector<const needs::Draw*>& solids, int part,
+                          int pairs);
+void declare_refractive(Graph& graph, const needs::Needs& needs, std::size_t layer,
+                        const std::optional<Backdrop>& backdrop,
+                        const std::optional<Input>& interior);
+void declare_accumulate(Graph& graph, const needs::Needs& needs);
+
+// The buffers that the passes of opaque regions share: depth, normal and region of a pixel, and the depth by which a
+// region finds its pixels.
+std::size_t geometry_buffer(Graph& graph);
+std::size_t material_depth(Graph& graph);
+
+} // namespace gg::frame

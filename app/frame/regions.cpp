@@ -1,0 +1,49 @@
+#include "frame/regions.h"
+
+#include <limits>
+
+namespace gg::frame {
+namespace {
+
+// Of a depth in floats: four products and sums make a clip coordinate, and a division the depth.
+constexpr double depth_rounding = 8.0 * std::numeric_limits<float>::epsilon();
+
+// The depth by which the n-th region finds its pixels: exact in floats, and never 0, which is where there is none.
+double material_depth(std::size_t n) {
+  return static_cast<double>(n + 1) * 0x1p-24;
+}
+
+// Samples lie up to half a pixel off.
+uniforms::RegionData block_of(const needs::ScreenBox& box, const needs::View& view, double depth) {
+  const glm::dvec2 pixel(2.0 / view.width, 2.0 / view.height);
+  return {glm::vec4(box.low - pixel, box.high + pixel), glm::vec4(glm::dvec4(depth))};
+}
+
+} // namespace
+
+std::vector<uniforms::RegionData> region_blocks(const needs::Needs& needs) {
+  std::vector<uniforms::RegionData> blocks;
+  for (const needs::Region& region : needs.opaque_regions)
+    blocks.push_back(block_of(region.box, needs.view, material_depth(blocks.size())));
+  if (!needs.opaque_regions.empty()) {
+    needs::ScreenBox all = needs.opaque_regions.front().box;
+    for (const needs::Region& region : needs.opaque_regions)
+      grow(all, region.box);
+    blocks.push_back(block_of(all, needs.view, 0.0));
+  }
+  // At a solid's far end: the depth test passes where something is nearer, which its front faces have just drawn.
+  for (const needs::Layer& layer : needs.layers)
+    for (const needs::Region& region : layer.regions)
+      blocks.push_back(
+          block_of(region.box, needs.view, region.box.farthest_depth * (1.0 - depth_rounding)));
+  return blocks;
+}
+
+std::size_t layer_region(const needs::Needs& needs, std::size_t layer, std::size_t region) {
+  std::size_t at = needs.opaque_regions.empty() ? 0 : needs.opaque_regions.size() + 1;
+  for (std::size_t l = 0; l < layer; ++l)
+    at += needs.layers[l].regions.size();
+  return at + region;
+}
+
+} // namespace gg::frame
