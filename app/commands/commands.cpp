@@ -10,6 +10,7 @@ void add_all(Command program) {
   add_figures(program);
   add_needs(program);
   add_report(program);
+  add_snippet(program);
   add_tables(program);
   add_truth(program);
   add_unfinished(program);

@@ -26,6 +26,7 @@ void add_eval(Command program);
 void add_figures(Command program);
 void add_needs(Command program);
 void add_report(Command program);
+void add_snippet(Command program);
 void add_tables(Command program);
 void add_truth(Command program);
 void add_unfinished(Command program); // promised names that say so and exit with `unsupported`

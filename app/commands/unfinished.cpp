@@ -13,8 +13,6 @@ void add_unfinished(Command program) {
   };
   for (const Unfinished& one : {
            Unfinished{"view", "Interactive viewer", "Use capture for a picture."},
-           Unfinished{"snippet", "Print a shader snippet, flattened",
-                      "The files are in shaders/; see shaders/README.md."},
        }) {
     Command command =
         program.subcommand(one.name, std::string(one.description) + " (not yet available)");

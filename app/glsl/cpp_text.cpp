@@ -68,11 +68,14 @@ private:
       ++at_;
     const std::string name = text_.substr(start, at_ - start);
     // At the outermost level a declaration is a struct, a constant or a function.
-    if (declaration_starts_ && name != "struct" && name != "const") out_ += "inline ";
+    if (declaration_starts_ && name != "struct" && name != "const" && has_body()) out_ += "inline ";
     declaration_starts_ = false;
     line_is_blank_ = false;
     out_ += name == "float" ? "Real" : name;
   }
+
+  // A function that is only declared is somebody else's to define.
+  bool has_body() const { return text_.find('{', at_) < text_.find(';', at_); }
 
   void punctuation(char c) {
     if (c == '{' || c == '(') ++depth_;

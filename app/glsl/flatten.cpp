@@ -98,13 +98,17 @@ bool is_fetch(const fs::path& file) {
   return file.stem().string().ends_with("_fetch");
 }
 
-std::string essl_prelude() {
-  std::string text = "#version 300 es\n";
+std::string essl_precisions() {
+  std::string text;
   for (const char* type :
        {"float", "int", "sampler2D", "sampler3D", "samplerCube", "sampler2DArray",
         "sampler2DShadow", "samplerCubeShadow", "sampler2DArrayShadow", "usampler2DArray"})
     text += std::string("precision highp ") + type + ";\n";
   return text;
+}
+
+std::string essl_prelude() {
+  return "#version 300 es\n" + essl_precisions();
 }
 
 std::vector<std::string> include_guards(const std::string& text) {

@@ -38,8 +38,9 @@ std::vector<std::filesystem::path> list_snippets(const std::filesystem::path& ro
 // True for files that must fetch from textures (named ..._fetch.glsl): GLSL and ESSL only, no C++.
 bool is_fetch(const std::filesystem::path& file);
 
-// What goes before a flattened snippet in GLSL ES 3.00: the version, and highp for whatever has no
-// default precision there. mediump is not enough (shaders/README.md, "Half precision").
+// What goes before a flattened snippet in GLSL ES 3.00: highp for whatever has no default precision
+// there. mediump is not enough (shaders/README.md, "Half precision"). The prelude has the version too.
+std::string essl_precisions();
 std::string essl_prelude();
 
 // The include guards (macro names) that a text defines, in order.

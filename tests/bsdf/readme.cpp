@@ -2,6 +2,7 @@
 // block (CMakeLists.txt), and it is called here.
 #include "bsdf/snippets.h"
 #include "core/files.h"
+#include "glsl/f32.h"
 #include "glsl/f64.h"
 
 #include <glslang/Public/ResourceLimits.h>
@@ -11,6 +12,7 @@
 #include <sstream>
 
 double readme_glint(glm::dvec3 wi, glm::dvec3 wo, glm::dvec3 n); // readme_block.cpp
+float readme_glint(glm::vec3 wi, glm::vec3 wo, glm::vec3 n);
 
 namespace gg::snippet_test {
 namespace {
@@ -63,6 +65,11 @@ TEST(readme, cpp_compiles_as_it_stands_and_gives_the_same_number) {
   const auto m = glsl::f64::reflectionFacet(wi, wo, n, 1.5);
   const double d = glsl::f64::ggxD(m.h, 0.2), v = glsl::f64::ggxV(m.wi, m.wo, 0.2);
   EXPECT_EQ(readme_glint(wi, wo, n), glsl::f64::reflectionF(m, d, v, 1.5));
+
+  const glm::vec3 singleWi(wi), singleWo(wo), singleN(n);
+  const auto f = glsl::f32::reflectionFacet(singleWi, singleWo, singleN, 1.5F);
+  const float e = glsl::f32::ggxD(f.h, 0.2F), w = glsl::f32::ggxV(f.wi, f.wo, 0.2F);
+  EXPECT_EQ(readme_glint(singleWi, singleWo, singleN), glsl::f32::reflectionF(f, e, w, 1.5F));
 }
 
 TEST(readme, names_every_snippet_of_the_bsdf) {

@@ -187,7 +187,7 @@ TEST(capture, a_missing_driver_is_a_message_that_says_what_to_install) {
 }
 
 TEST(commands, that_are_promised_and_not_there_yet_say_so_and_fail) {
-  for (const char* name : {"view", "snippet"}) {
+  for (const char* name : {"view"}) {
     const Finished f = run_program({name, "anything"});
     EXPECT_EQ(f.code, 4) << name;
     EXPECT_NE(f.err.find(name), std::string::npos);

@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""Every snippet in every target, by a compiler of that target; prints the table.
+
+    tests/snippet/matrix.py GROUNDGLASS [NAME...]
+
+glsl, vulkan, essl, hlsl: glslang (Debian's glslang-tools; HLSL by its HLSL front end). cpp: g++ with GLM, float and double. wgsl: naga, if
+it is there; without it, only that the text is made of the snippets as they are (shaders/wgsl/make --check). msl: none can be had, Metal's
+compiler is Apple's alone: that SPIRV-Cross makes it is all that is shown.
+"""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).parent
+ROOT = HERE.parent.parent
+TARGETS = ("glsl", "vulkan", "essl", "hlsl", "msl", "wgsl", "cpp")
+
+
+def run(words, text=None):
+    done = subprocess.run(words, input=text, capture_output=True, text=True)
+    return done.returncode, done.stdout + done.stderr
+
+
+def compiler(target, folder, naga):
+    """Name, what goes before and after the text, the file's suffix, and the command that compiles it."""
+    fragment = "\nvoid main() { pixel = vec4(0.0); }\n"
+    glsl = "#version 450\nlayout(location = 0) out vec4 pixel;\n"
+    return {
+        "glsl": ("glslang -G", glsl, fragment, "frag", ["glslangValidator", "-G", "-o", f"{folder}/a.spv"]),
+        "vulkan": ("glslang -V", glsl, fragment, "frag", ["glslangValidator", "-V", "-o", f"{folder}/a.spv"]),
+        "essl": ("glslang", "#version 300 es\n", "\nout vec4 pixel;" + fragment, "frag", ["glslangValidator"]),
+        "hlsl": ("glslang -D", "", "\nfloat4 shade() : SV_Target { return 0.0; }\n", "frag", ["glslangValidator", "-D", "-V", "-e", "shade", "-o", f"{folder}/a.spv"]),
+        "msl": ("none", "", "", "metal", None),
+        "wgsl": (f"naga {naga}" if naga else "none (no naga)", "", "", "wgsl", ["naga"] if naga else None),
+        "cpp": ("g++ -std=c++20", "", "", "cpp", ["g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-Wno-unused-function"]),
+    }[target]
+
+
+def main():
+    program, chosen = sys.argv[1], sys.argv[2:]
+    naga = run(["naga", "--version"])[1].strip() if shutil.which("naga") else ""
+    if run([sys.executable, ROOT / "shaders/wgsl/make", program, "--check"])[0]:
+        sys.exit("shaders/wgsl/snippets.wgsl is out of date: run shaders/wgsl/make " + program)
+    files = sorted(path for folder in ("bsdf", "color", "environment", "refraction") for path in (ROOT / "shaders" / folder).glob("*.glsl"))
+    failed, counts = [], {target: 0 for target in TARGETS}
+    with tempfile.TemporaryDirectory() as folder:
+        table = {target: compiler(target, folder, naga) for target in TARGETS}
+        print("compilers: " + ", ".join(f"{target} {table[target][0]}" for target in TARGETS))
+        print(f"{'snippet':<34}" + "".join(f"{target:<8}" for target in TARGETS))
+        for file in files:
+            name = f"{file.parent.name}/{file.stem}"
+            if chosen and file.stem not in chosen:
+                continue
+            row = ""
+            for target in TARGETS:
+                code, text = run([program, "snippet", name, "--target", target])
+                _, before, after, suffix, command = table[target]
+                if code == 4 and file.stem.endswith("_fetch") and target in ("wgsl", "cpp"):
+                    row += f"{'-':<8}"
+                    continue
+                path, log = pathlib.Path(folder) / f"one.{suffix}", text
+                # What an engine supplies: a body that returns zero.
+                supplied = "".join(f"{header} {{ return {kind}(); }}\n" for header, kind in re.findall(r"^// Yours to supply: (fn .* -> (.*))$", text, re.M))
+                path.write_text(before + text.replace("#pragma once", "") + supplied + after)
+                if code == 0 and command:
+                    code, log = run([*command, path])
+                row += f"{('ok' if command else 'made') if code == 0 else 'FAILED':<8}"
+                counts[target] += code == 0
+                if code:
+                    failed.append(f"{name} {target}:\n{log}")
+            print(f"{name:<34}{row}")
+    print(f"{'compile':<34}" + "".join(f"{counts[target]:<8}" for target in TARGETS))
+    if failed:
+        sys.exit("\n".join(failed))
+
+
+if __name__ == "__main__":
+    main()
