@@ -174,7 +174,7 @@ Option Command::option(const std::string& names, Variable variable, const std::s
           if (names.starts_with('-'))
             option->expected(1);
           else
-            option->expected(1, CLI::detail::expected_max_vector_size);
+            option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args();
           option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
         }
         return Option(option);
