@@ -7,6 +7,7 @@
 #include "environment/zonal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <future>
 
@@ -25,8 +26,9 @@ int groups(int texels, int of_one) {
   return (texels + of_one - 1) / of_one;
 }
 
-const std::string stages[] = {"environment_equirect.comp", "environment_blur.comp",
-                              "environment_zonal.comp"};
+gpu::ComputeDesc pipeline_of(const std::string& stage) {
+  return {stage, stage, {}};
+}
 
 gpu::TextureDesc cube_desc(const std::string& label, int size, int level_count,
                            gpu::Format format = gpu::Format::rgba16f) {
@@ -101,9 +103,7 @@ private:
   }
   gpu::View filled(const std::string& label, int width, int height, gpu::Format format,
                    std::span<const float> values);
-  gpu::PipelineRef compute(const std::string& stage) {
-    return device_.create(gpu::ComputeDesc{stage, stage, {}});
-  }
+  gpu::PipelineRef compute(const std::string& stage) { return device_.create(pipeline_of(stage)); }
 
   gpu::Device& device_;
   Map map_;
@@ -199,7 +199,9 @@ void Builder::convolve(const Blurred& prepared) {
 }
 
 Stack Builder::build(std::vector<gpu::PassTime>* times) {
-  device_.expect(stages);
+  device_.expect(std::array{pipeline_of("environment_equirect.comp"),
+                            pipeline_of("environment_blur.comp"),
+                            pipeline_of("environment_zonal.comp")});
   auto for_sharp =
       std::async(std::launch::async, prepare_sharp, std::cref(map_), std::cref(plan_), stack_.unit);
   create_cubes();

@@ -31,12 +31,21 @@ std::vector<gpu::View> Draws::sampled() const {
   return views;
 }
 
+void Draws::expect(const std::function<void()>& what) {
+  expecting_ = true;
+  what();
+  expecting_ = false;
+  device_.expect(expected_);
+  expected_.clear();
+}
+
 gpu::PipelineRef Draws::pipeline(const gpu::PipelineDesc& desc) {
   std::string key = desc.label + ' ' + desc.fragment;
   for (const gpu::Constant& constant : desc.constants)
     key += ' ' + std::to_string(constant.id) + '=' + std::to_string(constant.bits);
   gpu::PipelineRef& found = pipelines_[key];
-  if (!found) found = device_.create(desc);
+  if (!found && expecting_) expected_.push_back(desc);
+  if (!found && !expecting_) found = device_.create(desc);
   return found;
 }
 

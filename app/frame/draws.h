@@ -7,6 +7,7 @@
 #include "needs/needs.h"
 #include "tables/device_tables.h"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -45,6 +46,9 @@ class Draws {
 public:
   Draws(gpu::Device& device, const UploadedScene& scene, const tables::DeviceTables& tables);
 
+  // While `what` runs pipelines are not made, only told to the device, which compiles them on all cores; those it is given are null.
+  void expect(const std::function<void()>& what);
+
   // Compiled at the first call, kept from then on.
   gpu::PipelineRef pipeline(const gpu::PipelineDesc& desc);
   gpu::PipelineRef pipeline(const DrawPass& pass, const needs::Draw& draw);
@@ -69,6 +73,8 @@ private:
   const UploadedScene& uploaded_;
   const tables::DeviceTables& tables_;
   std::map<std::string, gpu::PipelineRef> pipelines_;
+  std::vector<gpu::PipelineDesc> expected_;
+  bool expecting_ = false;
 };
 
 // Binds the block that says where a region is.

@@ -48,6 +48,10 @@ void Execution::set(const Graph& graph, Context& context, Shared shared) {
     earlier.erase(found);
   }
   texture_of_ = allocation.texture_of;
+  context.draws.expect([&] {
+    for (const Pass& pass : graph.passes)
+      pass.prepare(context);
+  });
   records_.clear();
   for (const Pass& pass : graph.passes)
     records_.push_back(pass.prepare(context));

@@ -65,8 +65,8 @@ struct Pass {
   std::vector<Input> reads;
   std::vector<ColorOutput> colors;
   std::optional<DepthOutput> depth;
-  // Called once, with a device: makes the pipelines and returns what draws a sample. Inputs, and the blocks that all draws
-  // share, are bound by then.
+  // With a device: makes the pipelines and returns what draws a sample; inputs, and the blocks that all draws share, are bound by
+  // then. Called twice, as pipelines are first only announced (Draws::expect).
   std::function<Record(Context&)> prepare;
 };
 

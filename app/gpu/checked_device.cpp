@@ -4,6 +4,7 @@
 #include "gpu/shaders/compile.h"
 
 #include <algorithm>
+#include <array>
 
 namespace gg::gpu {
 namespace {
@@ -41,8 +42,15 @@ PipelineRef CheckedDevice::create(const ComputeDesc& desc) {
   return make(desc);
 }
 
-void CheckedDevice::expect(std::span<const std::string> stages) {
-  shaders::compile_ahead(stages, backend_);
+void CheckedDevice::expect(std::span<const PipelineDesc> pipelines) {
+  for (const PipelineDesc& desc : pipelines)
+    shaders::link_ahead(desc.label, std::array{desc.vertex, desc.fragment}, desc.constants,
+                        backend_);
+}
+
+void CheckedDevice::expect(std::span<const ComputeDesc> pipelines) {
+  for (const ComputeDesc& desc : pipelines)
+    shaders::link_ahead(desc.label, std::array{desc.compute}, desc.constants, backend_);
 }
 
 void CheckedDevice::upload(const TextureRef& texture, int level, int layer,

@@ -16,7 +16,8 @@ public:
   SamplerRef create(const SamplerDesc& desc) final;
   PipelineRef create(const PipelineDesc& desc) final;
   PipelineRef create(const ComputeDesc& desc) final;
-  void expect(std::span<const std::string> stages) final;
+  void expect(std::span<const PipelineDesc> pipelines) final;
+  void expect(std::span<const ComputeDesc> pipelines) final;
   void upload(const TextureRef& texture, int level, int layer,
               std::span<const std::byte> texels) final;
   void upload(const BufferRef& buffer, std::size_t offset, std::span<const std::byte> bytes) final;

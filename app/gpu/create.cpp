@@ -1,6 +1,5 @@
 #include "core/error.h"
 #include "gpu/backends.h"
-#include "gpu/shaders/compile.h"
 
 namespace gg::gpu {
 namespace {
@@ -22,10 +21,7 @@ constexpr Entry entries[] = {
 std::unique_ptr<Device> create_device(const DeviceDesc& desc) {
   DeviceDesc local = desc;
   for (const Entry& entry : entries) {
-    if (entry.backend == desc.backend) {
-      shaders::warm_up(desc.backend); // while the driver is loaded
-      return entry.create(local);
-    }
+    if (entry.backend == desc.backend) return entry.create(local);
     // The listing goes on with the next backend's devices.
     if (desc.device < 0) continue;
     local.device -= static_cast<int>(entry.list().size());

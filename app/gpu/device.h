@@ -88,10 +88,10 @@ public:
   virtual PipelineRef
   create(const PipelineDesc& desc) = 0; // Error(internal) with the compiler's log
   virtual PipelineRef create(const ComputeDesc& desc) = 0;
-  // Pipelines of these stages ("opaque.frag", "stack.comp") will be created: their text is compiled on
-  // other threads meanwhile. Never necessary; what is wrong with a stage is said when its pipeline is
-  // created.
-  virtual void expect(std::span<const std::string> stages) = 0;
+  // These pipelines will be created: their stages are compiled on other threads meanwhile. Never necessary; what is wrong with
+  // one is said when it is created.
+  virtual void expect(std::span<const PipelineDesc> pipelines) = 0;
+  virtual void expect(std::span<const ComputeDesc> pipelines) = 0;
 
   // Texels of one level and layer (slice, face), tightly packed, row 0 first.
   virtual void upload(const TextureRef& texture, int level, int layer,

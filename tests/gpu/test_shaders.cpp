@@ -135,12 +135,14 @@ TEST_P(Shaders, resources_need_numbers_of_their_own) {
            {"clash", "Table", "3"}));
 }
 
-TEST_P(Shaders, asked_for_ahead_fail_only_when_they_are_needed) {
-  const std::vector<std::string> files = {stage("square.comp"), stage("bad.frag")};
-  compile_ahead(files, GetParam());
-  EXPECT_EQ(compile(files[0], GetParam()), compile(files[0], GetParam()));
+TEST_P(Shaders, linked_ahead_fail_only_when_they_are_needed) {
+  const std::vector<std::string> good = {stage("square.comp")}, bad = {stage("bad.frag")};
+  link_ahead("good", good, {}, GetParam());
+  link_ahead("bad", bad, {}, GetParam());
+  EXPECT_EQ(link("good", good, {}, GetParam()).modules.front().words,
+            link("another", good, {}, GetParam()).modules.front().words);
   for (int twice = 0; twice < 2; ++twice)
-    EXPECT_TRUE(says(message([&] { compile(files[1], GetParam()); }), {"wrong.glsl:3: "}));
+    EXPECT_TRUE(says(message([&] { link("bad", bad, {}, GetParam()); }), {"wrong.glsl:3: "}));
 }
 
 TEST_P(Shaders, compile_in_several_threads_and_are_remembered) {

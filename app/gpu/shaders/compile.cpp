@@ -52,15 +52,6 @@ EShLanguage language(Stage stage) {
   return EShLangCount;
 }
 
-Stage stage_of(const fs::path& file) {
-  const std::string extension = file.extension().string();
-  if (extension == ".vert") return Stage::vertex;
-  if (extension == ".frag") return Stage::fragment;
-  if (extension == ".comp") return Stage::compute;
-  throw Error(ExitCode::internal, file,
-              "is not a stage: its name ends in none of .vert .frag .comp");
-}
-
 // Whether this is the "stages/x.frag:7" that the compiler puts before a message.
 bool is_place(std::string_view text) {
   const std::size_t colon = text.rfind(':');
@@ -120,10 +111,6 @@ Module build(const std::string& name, const fs::path& file, Stage stage, const s
   return module;
 }
 
-} // namespace
-
-namespace {
-
 using ModuleRef = std::shared_ptr<const Module>;
 
 // What has been compiled or is being compiled.
@@ -131,7 +118,6 @@ struct Modules {
   using Key = std::pair<fs::path, Backend>;
   std::mutex mutex;
   std::map<Key, std::shared_future<ModuleRef>> known;
-  std::map<Backend, std::future<Module>> warm_ups;
 
   // Statics that threads use must outlive this one: at exit its futures wait for them.
   Modules() {
@@ -139,13 +125,13 @@ struct Modules {
     home_directory();
   }
 
-  std::shared_future<ModuleRef> start(std::string_view stage_file, Backend backend,
-                                      std::launch when) {
-    Key key{home_directory() / "shaders" / "stages" / stage_file, backend};
+  // Deferred: compiled on the first thread that asks.
+  std::shared_future<ModuleRef> start(std::string_view stage_file, Backend backend) {
+    Key key{stage_path(stage_file), backend};
     const std::lock_guard lock(mutex);
     std::shared_future<ModuleRef>& module = known[key];
     if (!module.valid())
-      module = std::async(when, [key] {
+      module = std::async(std::launch::deferred, [key] {
         const fs::path& file = key.first;
         return std::make_shared<const Module>(
             build(display_name(file), file, stage_of(file), read_text(file), key.second));
@@ -161,24 +147,25 @@ Modules& modules() {
 
 } // namespace
 
+Stage stage_of(const fs::path& file) {
+  const std::string extension = file.extension().string();
+  if (extension == ".vert") return Stage::vertex;
+  if (extension == ".frag") return Stage::fragment;
+  if (extension == ".comp") return Stage::compute;
+  throw Error(ExitCode::internal, file,
+              "is not a stage: its name ends in none of .vert .frag .comp");
+}
+
+void keep_modules() {
+  modules();
+}
+
+fs::path stage_path(std::string_view stage_file) {
+  return home_directory() / "shaders" / "stages" / stage_file;
+}
+
 std::shared_ptr<const Module> compile(std::string_view stage_file, Backend backend) {
-  // Deferred: on the first thread that asks.
-  return modules().start(stage_file, backend, std::launch::deferred).get();
-}
-
-void compile_ahead(std::span<const std::string> stage_files, Backend backend) {
-  for (const std::string& stage_file : stage_files)
-    modules().start(stage_file, backend, std::launch::async);
-}
-
-void warm_up(Backend backend) {
-  Modules& all = modules();
-  const std::lock_guard lock(all.mutex);
-  std::future<Module>& under_way = all.warm_ups[backend];
-  if (!under_way.valid())
-    under_way = std::async(std::launch::async, [backend] {
-      return compile_text("warm-up", Stage::compute, "#version 450\nvoid main() {}\n", backend);
-    });
+  return modules().start(stage_file, backend).get();
 }
 
 Module compile_text(const std::string& name, Stage stage, const std::string& text,

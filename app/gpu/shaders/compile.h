@@ -4,6 +4,7 @@
 #include "gpu/device.h"
 #include "gpu/shaders/module.h"
 
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,13 +26,12 @@ namespace gg::gpu::shaders {
 // cannot be read.
 std::shared_ptr<const Module> compile(std::string_view stage_file, Backend backend);
 
-// Starts to compile these stages on threads of their own; compile() then waits for what is under way.
-// What is wrong with a stage is thrown there.
-void compile_ahead(std::span<const std::string> stage_files, Backend backend);
+// Builds what compile() keeps for the life of the process: a static whose threads compile is made after it, and so ends before it.
+void keep_modules();
 
-// Starts to build the compiler's tables of built-in functions for one API, which the first compilation
-// would wait for (0.1 s).
-void warm_up(Backend backend);
+// The file of a stage, and which stage its extension says it is: Error(internal) if none.
+std::filesystem::path stage_path(std::string_view stage_file);
+Stage stage_of(const std::filesystem::path& file);
 
 // The same from text in memory, not remembered; `name` stands for the file in messages and is
 // where relative includes are looked up.
@@ -53,7 +53,14 @@ struct Program {
 // if a constant is in none of them, if a resource has no binding number of its own or a set other
 // than 0 or is an array, if two stages disagree about a binding, or if the fragment stage reads
 // what the vertex stage does not write.
+//
+// What was specialised in an earlier run comes from the cache directory (module_cache.h).
 Program link(const std::string& label, std::span<const std::string> stages,
              std::span<const Constant> constants, Backend backend);
+
+// Starts to link the same on another thread, of which there are no more than the machine has cores; link() then waits for what is
+// under way. What is wrong is thrown there.
+void link_ahead(const std::string& label, std::span<const std::string> stages,
+                std::span<const Constant> constants, Backend backend);
 
 } // namespace gg::gpu::shaders

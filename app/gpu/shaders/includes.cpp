@@ -11,6 +11,13 @@ std::string display_name(const fs::path& file) {
   return relative.empty() || relative.begin()->string() == ".." ? file.string() : relative.string();
 }
 
+std::optional<fs::path> find_include(const std::string& header, const fs::path& from) {
+  std::error_code ignored;
+  for (const fs::path& file : {home_directory() / "shaders" / header, from.parent_path() / header})
+    if (fs::is_regular_file(file, ignored)) return fs::weakly_canonical(file);
+  return std::nullopt;
+}
+
 Includes::Includes(const std::string& name, const fs::path& root) {
   const fs::path file = fs::weakly_canonical(root);
   paths_[name] = file;
@@ -19,17 +26,13 @@ Includes::Includes(const std::string& name, const fs::path& root) {
 
 Includes::IncludeResult* Includes::includeLocal(const char* header, const char* includer,
                                                 std::size_t) {
-  std::error_code ignored;
-  fs::path file = home_directory() / "shaders" / header;
-  if (!fs::is_regular_file(file, ignored)) {
-    const auto from = paths_.find(includer);
-    if (from != paths_.end()) file = from->second.parent_path() / header;
-  }
+  const auto from = paths_.find(includer);
+  const auto found = find_include(header, from != paths_.end() ? from->second : fs::path());
   // An unnamed result is an error whose text is the data.
-  if (!fs::is_regular_file(file, ignored))
+  if (!found)
     return &files_.emplace_back("", "no such file in shaders/ nor beside the including file")
                 .result;
-  file = fs::weakly_canonical(file);
+  const fs::path& file = *found;
   const std::string name = display_name(file);
   paths_[name] = file;
   const bool first = seen_.insert(file).second;

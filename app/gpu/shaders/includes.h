@@ -6,6 +6,7 @@
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -13,6 +14,10 @@ namespace gg::gpu::shaders {
 
 // "stages/opaque.vert" for a file in shaders/, the path itself for any other.
 std::string display_name(const std::filesystem::path& file);
+
+// The file that `header` names: in shaders/, else beside `from`; nothing if neither is there.
+std::optional<std::filesystem::path> find_include(const std::string& header,
+                                                  const std::filesystem::path& from);
 
 // Looks in shaders/, then beside the including file. A file is handed out once per compilation, so
 // that snippets need no guards and may include each other freely.

@@ -1,7 +1,15 @@
 #include "core/error.h"
 #include "gpu/shaders/compile.h"
+#include "gpu/shaders/module_cache.h"
 
 #include <algorithm>
+#include <functional>
+#include <future>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <semaphore>
+#include <thread>
 
 namespace gg::gpu::shaders {
 namespace {
@@ -81,24 +89,102 @@ void check_varyings(const std::string& label, const Program& program) {
   }
 }
 
-} // namespace
+// One stage of a pipeline, from the cache if it is there. `checked` holds the unspecialised modules of those that are not.
+Module specialised(const std::string& stage, std::span<const Constant> constants, Backend backend,
+                   std::vector<std::shared_ptr<const Module>>& checked) {
+  const std::optional<std::string> key = module_key(stage, constants, backend);
+  if (key)
+    if (std::optional<Module> known = load_module(*key, stage)) return std::move(*known);
+  checked.push_back(compile(stage, backend));
+  Module module = specialize(*checked.back(), constants, backend);
+  if (key) store_module(*key, module);
+  return module;
+}
 
-Program link(const std::string& label, std::span<const std::string> stages,
-             std::span<const Constant> constants, Backend backend) {
-  std::vector<std::shared_ptr<const Module>> modules;
-  for (const std::string& stage : stages)
-    modules.push_back(compile(stage, backend));
-  if (!constants.empty()) check_constants(label, constants, modules);
-
+Program linked(const std::string& label, std::span<const std::string> stages,
+               std::span<const Constant> constants, Backend backend) {
   Program program;
-  for (const auto& module : modules) {
-    program.modules.push_back(specialize(*module, constants, backend));
-    program.reflections.push_back(reflect(program.modules.back()));
-    join(label, program.modules.back(), program.reflections.back(), program.bindings);
+  std::vector<std::shared_ptr<const Module>> compiled;
+  for (const std::string& stage : stages)
+    program.modules.push_back(specialised(stage, constants, backend, compiled));
+  // Of a pipeline that an earlier run has linked the constants were checked then.
+  if (!constants.empty() && compiled.size() == stages.size())
+    check_constants(label, constants, compiled);
+  for (const Module& module : program.modules) {
+    program.reflections.push_back(reflect(module));
+    join(label, module, program.reflections.back(), program.bindings);
   }
   check_varyings(label, program);
   std::ranges::sort(program.bindings, {}, &Binding::name);
   return program;
+}
+
+// Programs that are being linked, by what they are made of. Each is handed out once.
+class Ahead {
+public:
+  Ahead() { // after the statics that its threads use
+    keep_modules();
+    keep_keys();
+  }
+
+  static std::string key_of(const std::string& label, std::span<const std::string> stages,
+                            std::span<const Constant> constants, Backend backend) {
+    std::string key = label + (backend == Backend::vulkan ? " vulkan" : " opengl");
+    for (const std::string& stage : stages)
+      key += ' ' + stage;
+    for (const Constant& constant : constants)
+      key += ' ' + std::to_string(constant.id) + '=' + std::to_string(constant.bits);
+    return key;
+  }
+
+  void start(const std::string& key, std::function<Program()> link) {
+    const std::lock_guard lock(mutex_);
+    std::future<Program>& program = programs_[key];
+    if (program.valid()) return;
+    program = std::async(std::launch::async, [this, link = std::move(link)] {
+      cores_.acquire();
+      struct Release {
+        std::counting_semaphore<>& cores;
+        ~Release() { cores.release(); }
+      } const release{cores_};
+      return link();
+    });
+  }
+
+  std::optional<std::future<Program>> take(const std::string& key) {
+    const std::lock_guard lock(mutex_);
+    auto node = programs_.extract(key);
+    if (node.empty()) return std::nullopt;
+    return std::move(node.mapped());
+  }
+
+private:
+  std::mutex mutex_;
+  std::counting_semaphore<> cores_{
+      static_cast<std::ptrdiff_t>(std::max(std::thread::hardware_concurrency(), 1u))};
+  std::map<std::string, std::future<Program>> programs_; // last: its threads use the others
+};
+
+Ahead& ahead() {
+  static Ahead all;
+  return all;
+}
+
+} // namespace
+
+Program link(const std::string& label, std::span<const std::string> stages,
+             std::span<const Constant> constants, Backend backend) {
+  if (auto under_way = ahead().take(Ahead::key_of(label, stages, constants, backend)))
+    return under_way->get();
+  return linked(label, stages, constants, backend);
+}
+
+void link_ahead(const std::string& label, std::span<const std::string> stages,
+                std::span<const Constant> constants, Backend backend) {
+  ahead().start(Ahead::key_of(label, stages, constants, backend),
+                [label, stages = std::vector(stages.begin(), stages.end()),
+                 constants = std::vector(constants.begin(), constants.end()),
+                 backend] { return linked(label, stages, constants, backend); });
 }
 
 } // namespace gg::gpu::shaders

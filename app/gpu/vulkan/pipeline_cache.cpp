@@ -2,6 +2,7 @@
 
 #include "core/cache_directory.h"
 #include "core/files.h"
+#include "core/sealed.h"
 
 #include <fmt/format.h>
 
@@ -12,21 +13,9 @@ namespace gg::gpu::vulkan {
 
 namespace {
 
-struct Seal {
-  char magic[8];
-  std::uint64_t bytes, checksum; // of what follows
-};
 constexpr std::string_view magic = "ggpipes1";
 // More than any driver writes for our few dozen pipelines; keeps a wrong file from filling memory.
 constexpr std::size_t largest_file = std::size_t{256} << 20;
-
-// FNV-1a: against damage, not against forgers.
-std::uint64_t checksum_of(std::span<const std::byte> data) {
-  std::uint64_t hash = 0xcbf29ce484222325ull;
-  for (const std::byte byte : data)
-    hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3ull;
-  return hash;
-}
 
 } // namespace
 
@@ -39,26 +28,6 @@ std::optional<std::filesystem::path> cache_file(const Abilities& abilities) {
   return *file
          / fmt::format("vulkan-{:x}-{:x}-{}.pipelines", abilities.properties.vendorID,
                        abilities.properties.deviceID, driver);
-}
-
-std::vector<std::byte> seal(std::span<const std::byte> data) {
-  Seal head{.bytes = data.size(), .checksum = checksum_of(data)};
-  std::memcpy(head.magic, magic.data(), sizeof head.magic);
-  std::vector<std::byte> file(sizeof head + data.size());
-  std::memcpy(file.data(), &head, sizeof head);
-  if (!data.empty()) std::memcpy(file.data() + sizeof head, data.data(), data.size());
-  return file;
-}
-
-std::optional<std::vector<std::byte>> unseal(std::span<const std::byte> file) {
-  Seal head;
-  if (file.size() < sizeof head) return std::nullopt;
-  std::memcpy(&head, file.data(), sizeof head);
-  const auto data = file.subspan(sizeof head);
-  if (std::string_view(head.magic, sizeof head.magic) != magic || head.bytes != data.size()
-      || head.checksum != checksum_of(data))
-    return std::nullopt;
-  return std::vector<std::byte>(data.begin(), data.end());
 }
 
 bool is_of(const VkPhysicalDeviceProperties& properties, std::span<const std::byte> data) {
@@ -76,7 +45,7 @@ PipelineCache::PipelineCache(Context& context)
   std::error_code ignored;
   if (file_ && std::filesystem::is_regular_file(*file_, ignored)) {
     try {
-      auto data = unseal(read_file(*file_, largest_file));
+      auto data = unseal(read_file(*file_, largest_file), magic);
       if (data && is_of(context.adapter().abilities.properties, *data)) loaded_ = std::move(*data);
     } catch (const Error&) {
       // Unreadable: as if it were not there.
@@ -112,7 +81,7 @@ void PipelineCache::save() const {
   if (data == loaded_) return;
   std::filesystem::create_directories(file_->parent_path());
   OutputFile file(*file_);
-  file.write(std::span<const std::byte>(seal(data)));
+  file.write(std::span<const std::byte>(seal(data, magic)));
   file.commit();
 }
 

@@ -14,11 +14,6 @@ namespace gg::gpu::vulkan {
 // Where the file of a device lies in the cache directory: one file per device and driver. Nothing if there is no such directory.
 std::optional<std::filesystem::path> cache_file(const Abilities& abilities);
 
-// A driver's data with a checksum around it: drivers look at the first few bytes only before they
-// believe the rest. unseal() returns nothing for bytes that seal() did not make.
-std::vector<std::byte> seal(std::span<const std::byte> data);
-std::optional<std::vector<std::byte>> unseal(std::span<const std::byte> file);
-
 // True if the data begins with the header that Vulkan prescribes and is of this very driver.
 bool is_of(const VkPhysicalDeviceProperties& properties, std::span<const std::byte> data);
 

@@ -1,0 +1,27 @@
+// Specialised modules kept on disk between runs, so that a stage is compiled once per text and constants.
+#pragma once
+
+#include "gpu/device.h"
+#include "gpu/shaders/module.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace gg::gpu::shaders {
+
+// The same for the keys, as keep_modules().
+void keep_keys();
+
+// What a specialised module depends on: the stage's text with every file that it may include, the constants, the API, and the
+// versions of the compilers. Nothing if a file cannot be read, or if there is no cache directory.
+std::optional<std::string> module_key(std::string_view stage_file,
+                                      std::span<const Constant> constants, Backend backend);
+
+// Nothing if it is not there; what is damaged or of another version counts as not there.
+std::optional<Module> load_module(const std::string& key, std::string_view stage_file);
+// Where that is not possible the next run compiles again, nothing more.
+void store_module(const std::string& key, const Module& module) noexcept;
+
+} // namespace gg::gpu::shaders
