@@ -55,10 +55,10 @@ SceneOptions reduced(const SceneOptions& scene) {
 
 } // namespace
 
-NamedMethod choose_method(const SceneOptions& scene, const DeviceOptions& device,
-                          const MethodOptions& method) {
+ChosenMethod choose_method(const SceneOptions& scene, const DeviceOptions& device,
+                           const MethodOptions& method) {
   check(method);
-  if (method.method != "auto") return find_method(method.method);
+  if (method.method != "auto") return {find_method(method.method)};
   report::Plan plan{.correlated_smith = method.smith == "correlated",
                     .multiple_scattering = method.multiscatter,
                     .samples = 1,
@@ -104,7 +104,7 @@ NamedMethod choose_method(const SceneOptions& scene, const DeviceOptions& device
       "objects ({:.3g} over the best 99 % of their pixels){}",
       chosen.name, all[i].ms, all[i].error, best[i].error,
       choice->met ? "" : "; no method meets the limit, this one comes nearest"));
-  return chosen;
+  return {chosen, choice->met};
 }
 
 } // namespace gg::commands

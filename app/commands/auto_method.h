@@ -5,6 +5,11 @@
 
 namespace gg::commands {
 
+struct ChosenMethod {
+  NamedMethod named;
+  bool within_limit = true; // false: --method auto found none that is, and this comes nearest
+};
+
 // The method that --method names. For `auto`: all methods are timed on the scene at its full size,
 // one sample per pixel, and their errors measured against a truth of a small picture of it
 // (`measured_side` pixels at the most, `measured_samples` samples per pixel); then the fastest
@@ -12,8 +17,8 @@ namespace gg::commands {
 // said on stderr. What was measured is kept in $XDG_CACHE_HOME/groundglass/auto or
 // ~/.cache/groundglass/auto: the next call with the same scene, options, device and program costs
 // nothing. Throws Error(usage) if limits and method do not go together, Error(interrupted).
-NamedMethod choose_method(const SceneOptions& scene, const DeviceOptions& device,
-                          const MethodOptions& method);
+ChosenMethod choose_method(const SceneOptions& scene, const DeviceOptions& device,
+                           const MethodOptions& method);
 
 inline constexpr int measured_side = 256;
 inline constexpr long measured_samples = 64;

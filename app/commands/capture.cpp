@@ -1,6 +1,7 @@
 // groundglass capture: one picture of a scene, offscreen.
 #include "commands/auto_method.h"
 #include "commands/commands.h"
+#include "commands/json_file.h"
 #include "commands/options.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -11,6 +12,7 @@
 #include "image/image.h"
 #include "scene/undrawn.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -40,9 +42,9 @@ double ms_since(Clock::time_point start) {
 void check_outputs(const Options& o) {
   if (!image::is_writable_extension(o.out))
     throw Error(ExitCode::usage, o.out, "has an extension that is not known",
-                "Write .png (for display), or .exr, .hdr or .pfm (linear radiance).");
-  for (const std::string& path : {o.out, o.json})
-    if (!path.empty()) OutputFile probe(path);
+                "Write .png or .jpg (for display), or .exr, .hdr or .pfm (linear radiance).");
+  OutputFile probe(o.out);
+  check_json(o.json);
 }
 
 double median(std::vector<double> values) {
@@ -54,9 +56,9 @@ double median(std::vector<double> values) {
 // Draws `count` frames after a warm-up and returns milliseconds: of whole frames by the clock, of
 // passes by the device.
 nlohmann::json time_frames(gpu::Device& device, frame::Renderer& renderer, int count) {
-  constexpr int warm_up = 3;             // frames until caches and clocks have settled
-  std::vector<double> frames, recording; // of the host: recording and submitting, without waiting
-  std::uint64_t made = 0;                // objects, allocations and compilations in those frames
+  constexpr int warm_up = 3;          // frames until caches and clocks have settled
+  std::vector<double> frames, submit; // submit: of the CPU, recording and submitting, not waiting
+  std::uint64_t created = 0;          // objects, allocations and compilations in those frames
   std::map<std::string, std::vector<double>> passes;
   Progress progress("timing", count);
   for (int i = -warm_up; i < count; ++i) {
@@ -69,9 +71,9 @@ nlohmann::json time_frames(gpu::Device& device, frame::Renderer& renderer, int c
     if (i < 0) continue;
     frames.push_back(ms_since(start));
     const gpu::DeviceCounters after = device.counters();
-    recording.push_back(after.record_ms - before.record_ms);
-    made += after.created + after.allocations + after.compiled - before.created - before.allocations
-            - before.compiled;
+    submit.push_back(after.record_ms - before.record_ms);
+    created += after.created + after.allocations + after.compiled - before.created
+               - before.allocations - before.compiled;
     // The passes' own timers are read in a frame of their own: reading them waits for the device
     // after every sample.
     renderer.draw(&times);
@@ -86,14 +88,25 @@ nlohmann::json time_frames(gpu::Device& device, frame::Renderer& renderer, int c
     per_pass[label] = median(times);
   // Nearest-rank 95th percentile.
   const std::size_t rank = (sorted.size() * 95 + 99) / 100;
-  return {{"ms",
+  return {{"frame_ms",
            {{"median", median(frames)},
             {"min", sorted.front()},
             {"max", sorted.back()},
             {"p95", sorted[rank - 1]}}},
-          {"ms_per_pass", per_pass},
-          {"record_ms", median(recording)},
-          {"made", made}};
+          {"pass_ms", per_pass},
+          {"cpu_submit_ms", median(submit)},
+          {"resources_created", created}};
+}
+
+void print_times(const nlohmann::json& report, int frames) {
+  const auto& ms = report.at("frame_ms");
+  fmt::print("{} frames of one sample per pixel: median {:.2f} ms, least {:.2f}, 95th percentile "
+             "{:.2f}, most {:.2f}; CPU submit {:.2f} ms; {} resources created\n",
+             frames, ms.at("median").get<double>(), ms.at("min").get<double>(),
+             ms.at("p95").get<double>(), ms.at("max").get<double>(),
+             report.at("cpu_submit_ms").get<double>(), report.at("resources_created").get<int>());
+  for (const auto& [label, pass_ms] : report.at("pass_ms").items())
+    fmt::print("  {:<20} {:8.2f} ms\n", label, pass_ms.get<double>());
 }
 
 void capture(const Options& o) {
@@ -108,7 +121,8 @@ void capture(const Options& o) {
                 "Choose separable or correlated.");
   const Size size = parse_size(o.scene.size);
   const frame::ToneMap tone_map = frame::parse_tone_map(o.tonemap);
-  const NamedMethod method = choose_method(o.scene, o.device, o.method);
+  const ChosenMethod chosen = choose_method(o.scene, o.device, o.method);
+  const NamedMethod& method = chosen.named;
 
   auto start = Clock::now();
   const scene::Scene scene = load_scene(o.scene);
@@ -136,6 +150,7 @@ void capture(const Options& o) {
   const double environment_ms = ms_since(start);
 
   frame::Renderer renderer(*device, scene, desc);
+  start = Clock::now();
   {
     Progress progress("drawing", desc.samples);
     for (int i = 0; i < desc.samples; ++i) {
@@ -144,7 +159,8 @@ void capture(const Options& o) {
     }
   }
   image::Image picture = renderer.read();
-  if (std::filesystem::path(o.out).extension() == ".png")
+  const double draw_ms = ms_since(start);
+  if (image::is_display_extension(o.out))
     picture = frame::for_display(picture, o.exposure, tone_map);
   nlohmann::json report = {{"device", device->info().name},
                            {"driver", device->info().driver},
@@ -154,18 +170,24 @@ void capture(const Options& o) {
                            {"width", size.width},
                            {"height", size.height},
                            {"samples", desc.samples},
-                           {"bytes", device->memory_bytes()},
+                           {"device_memory_bytes", device->memory_bytes()},
                            {"triangles", renderer.triangle_count()},
                            {"passes", renderer.pass_labels()},
                            {"load_ms", load_ms},
-                           {"environment_ms", environment_ms}};
+                           {"environment_ms", environment_ms},
+                           {"draw_ms", draw_ms}};
   if (o.frames > 0) report.update(time_frames(*device, renderer, o.frames));
   image::write(o.out, picture);
-  if (!o.json.empty()) {
-    OutputFile json(o.json);
-    json.write(report.dump(2) + "\n");
-    json.commit();
+  if (!o.json.empty()) write_json(o.json, report);
+  if (o.json != "-") {
+    fmt::print("{}: {} x {} pixels, {} on {}, {} sample{} per pixel in {:.0f} ms\n", o.out,
+               size.width, size.height, method.name, device->info().backend, desc.samples,
+               desc.samples == 1 ? "" : "s", draw_ms);
+    if (o.frames > 0) print_times(report, o.frames);
   }
+  if (!chosen.within_limit)
+    throw Error(ExitCode::different, o.method.budget ? "--budget" : "--max-error",
+                "is met by no method", "The picture is drawn by the nearest: " + method.name + ".");
 }
 
 } // namespace
@@ -174,14 +196,17 @@ void add_capture(Command program) {
   auto options = std::make_shared<Options>();
   Command command = program.subcommand("capture", "Draw a scene into a picture file");
   add_options(command, options->scene);
-  command.option("-o,--output", &options->out, "Picture to write: .png, .exr, .hdr or .pfm")
+  command.option("-o,--output", &options->out, "Picture to write: .png, .jpg, .exr, .hdr or .pfm")
       .required();
   add_options(command, options->device);
   add_options(command, options->method);
-  command.option("--exposure", &options->exposure, "Stops of brightness added for display (.png)");
-  command.option("--tonemap", &options->tonemap, "none, neutral, aces or agx (.png)");
-  command.option("--frames", &options->frames, "Time so many frames; see --json");
-  command.option("--json", &options->json, "Write device, sizes and times to this file");
+  command.option("--exposure", &options->exposure,
+                 "Stops of brightness added for display (.png, .jpg)");
+  command.option("--tonemap", &options->tonemap, "none, neutral, aces or agx (.png, .jpg)");
+  command.option("--frames", &options->frames,
+                 "Time so many frames of one sample per pixel and print the times");
+  command.option("--json", &options->json,
+                 "Write device, sizes and times to this file, or to standard output: -");
   command.action([options] { capture(*options); });
 }
 

@@ -8,6 +8,7 @@ void add_all(Command program) {
   add_devices(program);
   add_eval(program);
   add_figures(program);
+  add_list(program);
   add_needs(program);
   add_report(program);
   add_snippet(program);

@@ -2,6 +2,7 @@
 #include "image/compare.h"
 
 #include "commands/commands.h"
+#include "commands/json_file.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/suggest.h"
@@ -70,9 +71,9 @@ void print_table(const std::vector<Column>& table) {
               [&](const Errors& e) { return fmt::format(fmt::runtime(format), e.*value); });
   };
   row("relMSE", &Errors::relmse, "{:.4g}");
-  row("relMSE, best 99 %", &Errors::relmse_99, "{:.4g}");
+  row("relMSE, 1 %-trimmed", &Errors::relmse_99, "{:.4g}");
   row("RMSE", &Errors::rmse, "{:.4g}");
-  row("signed mean", &Errors::signed_mean, "{:+.4g}");
+  row("bias", &Errors::signed_mean, "{:+.4g}");
   row("p99 of |difference|", &Errors::p99, "{:.4g}");
   row("reference's mean", &Errors::reference_mean, "{:.4g}");
   row("PSNR, dB (display)", &Errors::psnr, "{:.2f}");
@@ -80,7 +81,7 @@ void print_table(const std::vector<Column>& table) {
   if (!table.front().errors->noise) return;
   print_row("relMSE from noise", table,
             [](const Errors& e) { return fmt::format("{:.4g}", e.noise->relmse); });
-  print_row("... of the best 99 %", table,
+  print_row("... 1 %-trimmed", table,
             [](const Errors& e) { return fmt::format("{:.4g}", e.noise->relmse_99); });
   print_row("std. error of mean", table,
             [](const Errors& e) { return fmt::format("{:.4g}", e.noise->signed_mean); });
@@ -139,21 +140,21 @@ json to_json(const Errors& e) {
   json result{{"pixels", e.pixels}};
   if (e.pixels == 0) return result;
   result.update({{"relmse", e.relmse},
-                 {"relmse_99", e.relmse_99},
-                 {"few_pixels_rule", image::few_pixels_rule(e)},
+                 {"relmse_trimmed", e.relmse_99},
+                 {"outliers_dominate", image::few_pixels_rule(e)},
                  {"rmse", e.rmse},
-                 {"signed_mean", e.signed_mean},
+                 {"bias", e.signed_mean},
                  {"reference_mean", e.reference_mean},
-                 {"p99", e.p99},
-                 {"psnr", std::isfinite(e.psnr) ? json(e.psnr) : json()}, // null: equal
+                 {"absolute_difference_p99", e.p99},
+                 {"psnr_db", std::isfinite(e.psnr) ? json(e.psnr) : json()}, // null: equal
                  {"flip", e.flip}});
   if (e.noise)
     result["noise"] = {{"of_reference", e.noise->of_reference},
                        {"of_test", e.noise->of_test},
                        {"relmse", e.noise->relmse},
-                       {"relmse_99", e.noise->relmse_99},
+                       {"relmse_trimmed", e.noise->relmse_99},
                        {"rmse", e.noise->rmse},
-                       {"signed_mean", e.noise->signed_mean},
+                       {"bias", e.noise->signed_mean},
                        {"pixels_within", e.noise->pixels_within},
                        {"dominates", image::noise_dominates(e)}};
   return result;
@@ -236,7 +237,9 @@ void run(const Options& options) {
   std::optional<OutputFile> numbers;
   if (!options.json_file.empty()) {
     numbers.emplace(options.json_file);
-    numbers->write(to_json(options, comparison, with_names, lines).dump(2) + "\n");
+    json document = to_json(options, comparison, with_names, lines);
+    document["schema"] = json_schema;
+    numbers->write(document.dump(2) + "\n");
   }
   if (!options.map.empty()) write_map(options, comparison);
   if (numbers) numbers->commit();

@@ -2,9 +2,9 @@
 #include "needs/needs.h"
 
 #include "commands/commands.h"
+#include "commands/json_file.h"
 #include "commands/options.h"
 #include "core/error.h"
-#include "core/files.h"
 #include "environment/stack.h"
 #include "frame/words.h"
 #include "needs/words.h"
@@ -24,7 +24,7 @@ struct Options {
 };
 
 void print(const Options& o) {
-  if (!o.json.empty()) OutputFile probe(o.json);
+  check_json(o.json);
   if (o.method.samples < 1 || o.method.samples > 4096)
     throw Error(ExitCode::usage, "--samples", "must be from 1 to 4096");
   if (o.method.smith != "separable" && o.method.smith != "correlated")
@@ -52,9 +52,7 @@ void print(const Options& o) {
   report.update(frame::json_of(needs, graph));
   report["scene"] = o.scene.scene;
   report["method"] = o.method.method;
-  OutputFile file(o.json);
-  file.write(report.dump(2) + "\n");
-  file.commit();
+  write_json(o.json, report);
 }
 
 } // namespace

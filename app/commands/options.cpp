@@ -1,5 +1,6 @@
 #include "commands/options.h"
 
+#include "commands/environment_name.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/suggest.h"
@@ -59,8 +60,9 @@ void add_options(Command command, SceneOptions& o) {
 void add_view_options(Command command, SceneOptions& o) {
   command.option("--material", &o.materials,
                  "NAME=PRESET[,key=value...], * for every material; may be repeated");
-  command.option("--env", &o.env,
-                 "Environment: an equirectangular .hdr or .exr, a colour R,G,B, or none");
+  command.option(
+      "--env", &o.env,
+      "Environment: an equirectangular .hdr or .exr, a name (see list), a colour R,G,B, or none");
   command.option("--env-rotation", &o.env_rotation,
                  "Degrees about +Y, counter-clockwise seen from above");
   command.option("--env-intensity", &o.env_intensity, "Factor on the environment's radiance");
@@ -80,7 +82,7 @@ void add_options(Command command, DeviceOptions& o) {
 
 void add_options(Command command, MethodOptions& o) {
   command.option("--method", &o.method,
-                 "standard, lobes1, ...; or auto, which measures all of them on the scene first");
+                 "A name (see list); or auto, which measures all of them on the scene first");
   command.option("--budget", &o.budget, "For --method auto: the most accurate within so many ms");
   command.option("--max-error", &o.max_error,
                  "For --method auto: the fastest with a relMSE over the objects no larger");
@@ -160,8 +162,7 @@ std::optional<environment::Map> load_environment(const SceneOptions& options,
 
 std::optional<std::filesystem::path> environment_file(const SceneOptions& options) {
   if (options.env == "none" || as_vec3(options.env)) return std::nullopt;
-  return options.env.empty() ? home_directory() / "assets/environments/royal_esplanade_1k.hdr"
-                             : std::filesystem::path(options.env);
+  return find_environment(options.env.empty() ? "royal_esplanade" : options.env);
 }
 
 std::string in_shell(const std::string& word) {

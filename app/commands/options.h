@@ -18,8 +18,8 @@ namespace gg::commands {
 struct SceneOptions {
   std::string scene;
   std::vector<std::string> materials; // 'NAME=PRESET[,k=v]'
-  std::string env;                    // a file, `none`, a colour "R,G,B", or empty: the default
-  float env_rotation = 0.0f;          // degrees
+  std::string env;           // a file, a name, `none`, a colour "R,G,B", or empty: the default
+  float env_rotation = 0.0f; // degrees
   float env_intensity = 1.0f;
   std::string size = "1280x720";
   std::string camera; // name or index

@@ -32,6 +32,8 @@ std::vector<std::byte> encode_hdr(const Image& image);
 std::vector<std::byte> encode_pfm(const Image& image);
 std::vector<std::byte> encode_exr(const Exr& exr, const std::string& name);
 std::vector<std::byte> encode_png(const Image& image, const std::string& name);
+// Quality 95 of 100, full chroma resolution; a fourth channel is dropped.
+std::vector<std::byte> encode_jpeg(const Image& image, const std::string& name);
 
 // Throws Error(input) if a picture of this size is not accepted (max_side, max_pixels), before
 // anything is allocated for it.

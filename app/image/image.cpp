@@ -29,6 +29,7 @@ Format format_of_extension(const std::filesystem::path& path) {
   if (extension == ".exr") return Format::exr;
   if (extension == ".pfm") return Format::pfm;
   if (extension == ".png") return Format::png;
+  if (extension == ".jpg" || extension == ".jpeg") return Format::jpeg;
   return Format::unknown;
 }
 
@@ -128,13 +129,14 @@ void write(const std::filesystem::path& path, const Image& image) {
   const Format format = format_of_extension(path);
   if (format == Format::unknown)
     throw Error(ExitCode::usage, path, "has an extension that cannot be written",
-                "Use .exr, .hdr, .pfm (linear) or .png (8-bit).");
+                "Use .exr, .hdr, .pfm (linear), .png or .jpg (8-bit).");
   check_consistent(path, image);
   if (format == Format::exr) return write_exr(path, exr_from(image));
   if (format == Format::pfm) return write_bytes(path, formats::encode_pfm(image));
   check_no_nan(path, image);
-  write_bytes(path, format == Format::hdr ? formats::encode_hdr(image)
-                                          : formats::encode_png(image, path.string()));
+  write_bytes(path, format == Format::hdr    ? formats::encode_hdr(image)
+                    : format == Format::jpeg ? formats::encode_jpeg(image, path.string())
+                                             : formats::encode_png(image, path.string()));
 }
 
 void write_exr(const std::filesystem::path& path, const Exr& exr) {
@@ -143,6 +145,11 @@ void write_exr(const std::filesystem::path& path, const Exr& exr) {
 
 bool is_writable_extension(const std::filesystem::path& path) {
   return format_of_extension(path) != Format::unknown;
+}
+
+bool is_display_extension(const std::filesystem::path& path) {
+  const Format format = format_of_extension(path);
+  return format == Format::png || format == Format::jpeg;
 }
 
 std::optional<NonFinite> find_non_finite(const Image& image) {

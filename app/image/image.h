@@ -55,7 +55,7 @@ Image read(const std::filesystem::path& path);
 // Writes linear values by extension: .exr (float), .hdr (RGBE: steps of 1/255 to 1/128 of a pixel's
 // largest channel, rounded to the nearest; negative values become 0, a fourth channel is dropped),
 // .pfm (a fourth channel is dropped); and .png: the values, clamped to 0..1, are taken as
-// display-encoded already and quantised to 8 bits with rounding. 1, 3 or 4 channels. Written to a
+// display-encoded already and quantised to 8 bits with rounding; .jpg the same, compressed with loss. 1, 3 or 4 channels. Written to a
 // temporary and renamed. Throws Error(output), also for a NaN where the format has none (.hdr,
 // .png), or Error(usage) for an extension that is not known.
 void write(const std::filesystem::path& path, const Image& image);
@@ -95,5 +95,7 @@ double linear_from_srgb(double encoded);
 
 // True if write() knows the extension.
 bool is_writable_extension(const std::filesystem::path& path);
+// Whether write takes values for it as display-encoded: .png and .jpg.
+bool is_display_extension(const std::filesystem::path& path);
 
 } // namespace gg::image

@@ -6,9 +6,12 @@
 #include <jerror.h>
 #include <jpeglib.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <csetjmp>
 #include <cstdio>
+#include <cstdlib>
 
 namespace gg::image::formats {
 namespace {
@@ -80,6 +83,58 @@ void on_progress(j_common_ptr common) {
               "is truncated or malformed: " + reader.message, "Download or write the file again.");
 }
 
+// libjpeg allocates `bytes` by malloc.
+struct Writer {
+  jpeg_compress_struct jpeg{};
+  jpeg_error_mgr errors{};
+  std::jmp_buf out{};
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  std::string message;
+
+  ~Writer() {
+    jpeg_destroy_compress(&jpeg);
+    std::free(bytes);
+  }
+
+  bool begin(int width, int height, int channels) {
+    if (setjmp(out)) return false;
+    constexpr int quality = 95; // errors of about 1 of 255
+    jpeg_create_compress(&jpeg);
+    jpeg.client_data = this;
+    jpeg_mem_dest(&jpeg, &bytes, &size);
+    jpeg.image_width = static_cast<JDIMENSION>(width);
+    jpeg.image_height = static_cast<JDIMENSION>(height);
+    jpeg.input_components = channels;
+    jpeg.in_color_space = channels == 1 ? JCS_GRAYSCALE : JCS_RGB;
+    jpeg_set_defaults(&jpeg);
+    jpeg_set_quality(&jpeg, quality, TRUE);
+    for (int c = 0; c < jpeg.num_components; ++c) // no chroma subsampling
+      jpeg.comp_info[c].h_samp_factor = jpeg.comp_info[c].v_samp_factor = 1;
+    jpeg_start_compress(&jpeg, TRUE);
+    return true;
+  }
+  bool write(std::uint8_t* row) {
+    if (setjmp(out)) return false;
+    JSAMPROW rows[] = {row};
+    jpeg_write_scanlines(&jpeg, rows, 1);
+    return true;
+  }
+  bool finish() {
+    if (setjmp(out)) return false;
+    jpeg_finish_compress(&jpeg);
+    return true;
+  }
+};
+
+void on_write_error(j_common_ptr common) {
+  Writer& writer = *static_cast<Writer*>(common->client_data);
+  std::array<char, JMSG_LENGTH_MAX> text{};
+  common->err->format_message(common, text.data());
+  writer.message = text.data();
+  std::longjmp(writer.out, 1);
+}
+
 } // namespace
 
 Image8 decode_jpeg(Bytes bytes, const std::string& name) {
@@ -100,6 +155,28 @@ Image8 decode_jpeg(Bytes bytes, const std::string& name) {
   image.rgba.resize(std::size_t{4} * reader.jpeg.image_width * reader.jpeg.image_height);
   if (!reader.read_pixels(image.rgba.data())) fail(reader, name);
   return image;
+}
+
+std::vector<std::byte> encode_jpeg(const Image& image, const std::string& name) {
+  const int channels = image.channels == 1 ? 1 : 3;
+  std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width * channels));
+  Writer writer;
+  writer.jpeg.err = jpeg_std_error(&writer.errors);
+  writer.errors.error_exit = on_write_error;
+  if (!writer.begin(image.width, image.height, channels))
+    throw Error(ExitCode::output, name, "could not be encoded: " + writer.message);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < channels; ++c)
+        row[static_cast<std::size_t>(x * channels + c)] = static_cast<std::uint8_t>(
+            std::lround(std::clamp(image.at(x, y, c), 0.0f, 1.0f) * 255.0f));
+    if (!writer.write(row.data()))
+      throw Error(ExitCode::output, name, "could not be encoded: " + writer.message);
+  }
+  if (!writer.finish())
+    throw Error(ExitCode::output, name, "could not be encoded: " + writer.message);
+  const auto* const begin = reinterpret_cast<const std::byte*>(writer.bytes);
+  return {begin, begin + writer.size};
 }
 
 } // namespace gg::image::formats

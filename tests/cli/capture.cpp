@@ -54,17 +54,17 @@ TEST(capture, draws_a_real_model_under_a_real_sky_and_reports_what_it_took) {
   EXPECT_EQ(json.at("triangles"), 3936);
   EXPECT_EQ(json.at("width"), 160);
   EXPECT_EQ(json.at("backend"), "opengl");
-  EXPECT_GT(json.at("bytes"), 0);
-  EXPECT_GT(json.at("ms").at("median"), 0.0);
-  EXPECT_LE(json.at("ms").at("min"), json.at("ms").at("median"));
-  EXPECT_LE(json.at("ms").at("median"), json.at("ms").at("p95"));
-  EXPECT_LE(json.at("ms").at("p95"), json.at("ms").at("max"));
+  EXPECT_GT(json.at("device_memory_bytes"), 0);
+  EXPECT_GT(json.at("frame_ms").at("median"), 0.0);
+  EXPECT_LE(json.at("frame_ms").at("min"), json.at("frame_ms").at("median"));
+  EXPECT_LE(json.at("frame_ms").at("median"), json.at("frame_ms").at("p95"));
+  EXPECT_LE(json.at("frame_ms").at("p95"), json.at("frame_ms").at("max"));
   for (const auto& label : json.at("passes"))
-    EXPECT_TRUE(json.at("ms_per_pass").contains(label)) << label;
+    EXPECT_TRUE(json.at("pass_ms").contains(label)) << label;
 }
 
 TEST(capture, same_command_writes_the_same_bytes) {
-  for (const char* extension : {".png", ".exr", ".hdr", ".pfm"}) {
+  for (const char* extension : {".png", ".jpg", ".exr", ".hdr", ".pfm"}) {
     const std::string a = out("a") + extension, b = out("b") + extension;
     for (const std::string& path : {a, b})
       ASSERT_EQ(run_program({"capture", suzanne, "-o", path, "--env", sky, "--size", "64x48",
@@ -184,6 +184,48 @@ TEST(capture, a_missing_driver_is_a_message_that_says_what_to_install) {
   };
   without({"--surface", "egl"}, "LIBGL_DRIVERS_PATH");
   without({"--backend", "vulkan"}, "VK_ICD_FILENAMES");
+}
+
+TEST(capture, says_what_it_wrote_and_prints_the_times_that_were_asked_for) {
+  const Finished f =
+      run_program({"capture", suzanne, "-o", out("a.jpg"), "--env", "studio_small_03", "--size",
+                   "32x24", "--samples", "2", "--frames", "2"});
+  ASSERT_EQ(f.code, 0) << f.err;
+  for (const char* part :
+       {"a.jpg: 32 x 24 pixels, lobes2 on opengl, 2 samples per pixel in",
+        "2 frames of one sample per pixel: median", "0 resources created", "opaque"})
+    EXPECT_NE(f.out.find(part), std::string::npos) << part << " in " << f.out;
+}
+
+TEST(capture, takes_environments_by_name_and_asks_whether_another_was_meant) {
+  const auto with = [](const char* name, const std::string& env) {
+    return run_program(
+        {"capture", suzanne, "-o", out(name), "--env", env, "--size", "16x12", "--samples", "1"});
+  };
+  EXPECT_EQ(with("name.exr", "studio_small_03").code, 0);
+  EXPECT_EQ(with("file.exr", sky).code, 0);
+  EXPECT_EQ(bytes(out("name.exr")), bytes(out("file.exr")));
+  const Finished wrong = with("wrong.exr", "studio_smal_03");
+  EXPECT_EQ(wrong.code, 3);
+  EXPECT_NE(wrong.err.find("Did you mean studio_small_03?"), std::string::npos) << wrong.err;
+}
+
+TEST(list_command, names_what_the_options_take) {
+  const Finished all = run_program({"list"});
+  EXPECT_EQ(all.code, 0);
+  for (const char* name : {"gold", "bk7", "satin", "royal_esplanade\n", "lobes2", "auto"})
+    EXPECT_NE(all.out.find(name), std::string::npos) << name;
+  const Finished methods = run_program({"list", "methods"});
+  EXPECT_EQ(methods.out.find("gold"), std::string::npos);
+  EXPECT_EQ(run_program({"list", "colours"}).code, 2);
+}
+
+TEST(devices_command, writes_its_list_as_json) {
+  const Finished f = run_program({"devices", "--json", "-"});
+  ASSERT_EQ(f.code, 0) << f.err;
+  const auto devices = nlohmann::json::parse(f.out);
+  EXPECT_GE(devices.at("schema"), 2);
+  EXPECT_EQ(devices.at("devices").at(0).at("device"), 0);
 }
 
 TEST(commands, that_are_promised_and_not_there_yet_say_so_and_fail) {

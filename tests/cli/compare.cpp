@@ -55,8 +55,8 @@ TEST(compare_command, prints_a_table_and_writes_the_same_numbers) {
       run_program({"compare", constant("test.exr", 24, 0.6f), truth("truth.exr", 0.001f), "--json",
                    path("numbers.json"), "--map", path("map.png")});
   ASSERT_EQ(f.code, 0) << f.err;
-  for (const char* word : {"relMSE", "RMSE", "signed mean", "p99", "PSNR", "FLIP", "frame",
-                           "objects", "relMSE from noise"})
+  for (const char* word :
+       {"relMSE", "RMSE", "bias", "p99", "PSNR", "FLIP", "frame", "objects", "relMSE from noise"})
     EXPECT_NE(f.out.find(word), std::string::npos) << word << " in\n" << f.out;
   std::ifstream in(path("numbers.json"));
   const auto json = nlohmann::json::parse(in);
@@ -117,7 +117,7 @@ TEST(compare_command, equal_pictures_have_an_infinite_psnr_and_null_in_json) {
   ASSERT_EQ(f.code, 0) << f.err;
   EXPECT_NE(f.out.find("inf"), std::string::npos);
   std::ifstream in(path("numbers.json"));
-  EXPECT_TRUE(nlohmann::json::parse(in).at("frame").at("psnr").is_null());
+  EXPECT_TRUE(nlohmann::json::parse(in).at("frame").at("psnr_db").is_null());
 }
 
 TEST(compare_command, names_what_is_wrong_and_writes_nothing) {

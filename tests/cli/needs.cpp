@@ -34,7 +34,7 @@ TEST(needs_command, tells_the_passes_and_the_bytes_that_capture_takes) {
     ASSERT_EQ(printed.code, 0) << printed.err;
     ASSERT_EQ(run_program(capture).code, 0);
     const nlohmann::json a = json_in(told), b = json_in(taken);
-    EXPECT_EQ(a.at("bytes"), b.at("bytes")) << scene;
+    EXPECT_EQ(a.at("bytes"), b.at("device_memory_bytes")) << scene;
     EXPECT_EQ(a.at("triangles"), b.at("triangles")) << scene;
     nlohmann::json labels = nlohmann::json::array();
     for (const auto& pass : a.at("passes")) {
