@@ -1,4 +1,4 @@
-// What README's "Bodies of glass" says, in frames and in the path tracer: the same along chosen rays.
+// What app/README.md's "Bodies of glass" says, in frames and in the path tracer: the same along chosen rays.
 #include "render/harness.h"
 #include "render/shapes.h"
 #include "truth/integrator.h"
