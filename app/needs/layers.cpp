@@ -1,6 +1,9 @@
 #include "needs/layers.h"
 
+#include "needs/outline.h"
+
 #include <algorithm>
+#include <optional>
 
 namespace gg::needs {
 namespace {
@@ -10,6 +13,7 @@ struct Item {
   std::vector<LayerDraw> draws;
   ScreenBox box;
   bool blended = false;
+  std::optional<Outline> outline; // once it is asked for
 };
 
 bool same_solid(const Draw& a, const Draw& b) {
@@ -84,9 +88,18 @@ void grow(ScreenBox& box, const ScreenBox& other) {
   box.farthest_depth = std::min(box.farthest_depth, other.farthest_depth);
 }
 
-std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& clip_from_world,
-                             std::size_t most) {
+std::vector<Layer> layers_of(const scene::Scene& scene, const Draws& all,
+                             const glm::dmat4& clip_from_world, std::size_t most) {
+  const std::vector<Draw>& draws = all.all;
   std::vector<Item> items = items_of(draws, clip_from_world);
+  const auto outline = [&](Item& item) -> const Outline& {
+    if (item.outline) return *item.outline;
+    item.outline.emplace();
+    for (const LayerDraw& part : item.draws)
+      item.outline->include(outline_of(scene, *part.draw, *all.instances[part.draw->instance_index],
+                                       clip_from_world));
+    return *item.outline;
+  };
   // By the nearest point: what is inside of something is farther than its hull.
   std::ranges::stable_sort(items, std::less{},
                            [](const Item& item) { return item.box.nearest_depth; });
@@ -95,7 +108,8 @@ std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& c
   for (std::size_t i = 0; i < items.size(); ++i) {
     bool interleaves = false;
     for (std::size_t j = 0; j < i; ++j) {
-      if (!items[i].box.overlaps(items[j].box)) continue;
+      if (!items[i].box.overlaps(items[j].box) || !outline(items[i]).overlaps(outline(items[j])))
+        continue;
       // Blended surfaces need no picture of what is behind them: they lie over it in order.
       at[i] = std::max(at[i], at[j] + (items[i].blended ? 0 : 1));
       if (!items[j].blended && items[j].box.nearest_depth > items[i].box.farthest_depth)

@@ -54,7 +54,7 @@ struct Layer {
 // material) stay together. A thin wall that shows both sides is two things: its far side, then its
 // near one. `most` > 0 layers at most: what would need more goes into the last, each part in its
 // order. Pure.
-std::vector<Layer> layers_of(const std::vector<Draw>& draws, const glm::dmat4& clip_from_world,
-                             std::size_t most);
+std::vector<Layer> layers_of(const scene::Scene& scene, const Draws& draws,
+                             const glm::dmat4& clip_from_world, std::size_t most);
 
 } // namespace gg::needs

@@ -36,7 +36,8 @@ void sort_opaque(Needs& needs) {
 }
 
 void sort_layers(Needs& needs) {
-  for (Layer& layer : layers_of(needs.draws.all, clip_from_world(needs.view), most_layers)) {
+  for (Layer& layer :
+       layers_of(*needs.scene, needs.draws, clip_from_world(needs.view), most_layers)) {
     // What lies over opaque surfaces alone needs no pass of its own.
     if (needs.layers.empty() && !layer.shows_behind()) {
       needs.over_opaque.insert(needs.over_opaque.end(), layer.blended.begin(), layer.blended.end());

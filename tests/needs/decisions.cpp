@@ -237,6 +237,18 @@ TEST(needs, glass_beside_glass_takes_one_layer) {
   EXPECT_EQ(needs::needs_of(scene, view()).layers.size(), 1u);
 }
 
+// Their boxes overlap on the screen, they do not.
+TEST(needs, balls_that_only_their_boxes_would_overlap_take_one_layer) {
+  const auto layers = [](const glm::vec3& second) {
+    scene::Scene scene = ball(glass(0.1f));
+    scene.instances[0].world = at({-0.8f, -0.8f, 0});
+    add(scene, ball(glass(0.1f)), at(second));
+    return needs::needs_of(scene, view()).layers.size();
+  };
+  EXPECT_EQ(layers({0.8f, 0.8f, -0.5f}), 1u);
+  EXPECT_EQ(layers({0.4f, 0.4f, -0.5f}), 2u);
+}
+
 TEST(needs, a_thin_wall_with_two_sides_is_two_things) {
   scene::Material wall = thin(glass(0.1f));
   wall.double_sided = true;
