@@ -55,12 +55,38 @@ Role role_of(const scene::Material& material) {
   return material.alpha_mode == scene::AlphaMode::blend ? Role::blended : Role::opaque;
 }
 
+bool same_body(const Draw& a, const Draw& b) {
+  return a.is_solid() && b.is_solid() && a.instance_index == b.instance_index && a.body == b.body;
+}
+
+// Whether parts of another material bound the same body.
+bool shares_body(const Draw& draw, const std::vector<Draw>& draws) {
+  return std::ranges::any_of(draws, [&](const Draw& other) {
+    return same_body(draw, other) && draw.material_index != other.material_index;
+  });
+}
+
+// A smooth part of a body that is rough elsewhere: rays leave it by rough faces, which tables tell.
+void let_leave_by_rough_faces(std::vector<Draw>& draws, const View& view) {
+  const auto is_smooth = [](const Draw& d) { return value_of(d.key, Feature::smooth) != 0; };
+  for (Draw& draw : draws) {
+    if (!draw.is_solid() || !is_smooth(draw)) continue;
+    if (std::ranges::none_of(
+            draws, [&](const Draw& other) { return same_body(draw, other) && !is_smooth(other); }))
+      continue;
+    set_value(draw.key, Feature::smooth, 0);
+    if (value_of(draw.key, Feature::environment) != 0)
+      set_value(draw.key, Feature::lobe_taps,
+                reflection_taps(view.method, model_of(*draw.material, view.correlated_smith)));
+  }
+}
+
 // Whether something that is in the depth when the solid is drawn reaches into the box around it: something opaque, or glass that
 // makes an image and lies within. What stands on the floor touches it: a thousandth of the solid's size does not count.
 bool holds_something(const Draw& solid, const std::vector<Draw>& draws) {
   const glm::vec3 least(1e-3f * solid.bounds.radius());
   return std::ranges::any_of(draws, [&](const Draw& other) {
-    const bool within = other.images
+    const bool within = other.images && !same_body(solid, other)
                         && glm::all(glm::greaterThan(other.bounds.low, solid.bounds.low))
                         && glm::all(glm::lessThan(other.bounds.high, solid.bounds.high));
     return (other.role == Role::opaque || within)
@@ -75,7 +101,7 @@ int interior_pairs(const Draw& draw, const View& view, const scene::Instance& in
                    Shapes& shapes) {
   if (!draw.is_solid() || view.method == Method::standard) return 0;
   if (draw.is_straight()) return value_of(draw.key, Feature::attenuation);
-  return shapes.of(instance, draw.primitive->material).convex ? 1 : 2;
+  return shapes.of(instance, draw.body).convex ? 1 : 2;
 }
 
 // Whether the near plane cuts into the box: the camera may stand in what is in it.
@@ -165,6 +191,8 @@ Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes) {
       draw.primitive = &primitive;
       draw.material = &material;
       draw.material_index = place_in(draws.materials, materials, &material);
+      draw.body = shapes.body(primitive.material);
+      if (draws.bodies.size() < draws.materials.size()) draws.bodies.push_back(draw.body);
       draw.instance_index = place_in(draws.instances, instances, &instance);
       draw.role = role_of(material);
       draw.key = features.key;
@@ -182,16 +210,17 @@ Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes) {
       draw.mirrored = instance.mirrored;
       draw.both_sides = material.double_sided;
     }
+  let_leave_by_rough_faces(draws.all, view);
   for (Draw& draw : draws.all) {
     const scene::Instance& instance = *draws.instances[draw.instance_index];
     const int pairs = interior_pairs(draw, view, instance, shapes);
     set_value(draw.key, Feature::interior_pairs, pairs);
     if (!draw.is_solid() || view.method == Method::standard) continue;
-    const scene::SolidShape& shape = shapes.of(instance, draw.primitive->material);
+    const scene::SolidShape& shape = shapes.of(instance, draw.body);
     draw.images = !draw.is_straight() && !(shape.flat && shape.convex);
     draw.both_sides = is_seen_from_within(draw, shape, clip);
     set_value(draw.key, Feature::seen_from_within, draw.both_sides);
-    draw.by_pixel = is_by_pixel(draw);
+    draw.by_pixel = is_by_pixel(draw) && !shares_body(draw, draws.all);
   }
   for (Draw& draw : draws.all)
     if (value_of(draw.key, Feature::interior_pairs) > 0 && !draw.is_straight())

@@ -36,6 +36,7 @@ struct Draw {
   const scene::Primitive* primitive = nullptr;
   const scene::Material* material = nullptr;
   std::size_t material_index = 0, instance_index = 0; // among those that are drawn
+  scene::Index body = scene::none; // of a solid, the material that stands for it (scene/bodies.h)
   Role role = Role::opaque;
   FeatureKey key{};
   scene::Bounds bounds;  // in the world
@@ -59,6 +60,7 @@ struct Draw {
 struct Draws {
   std::vector<Draw> all;                         // in the order of the scene
   std::vector<const scene::Material*> materials; // that they use, by material_index
+  std::vector<scene::Index> bodies;              // that these bound, by material_index
   std::vector<const scene::Instance*> instances; // by instance_index
   std::size_t outside = 0;   // primitives of instances that are left out: not in the view
   std::size_t invisible = 0; // the same: glass of index 1 with nothing to it

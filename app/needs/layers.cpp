@@ -17,7 +17,7 @@ struct Item {
 };
 
 bool same_solid(const Draw& a, const Draw& b) {
-  return a.instance_index == b.instance_index && a.material_index == b.material_index;
+  return a.instance_index == b.instance_index && a.body == b.body;
 }
 
 std::vector<Item> items_of(const std::vector<Draw>& draws, const glm::dmat4& clip_from_world) {

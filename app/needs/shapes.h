@@ -1,22 +1,30 @@
-// The shapes of solids, each worked out once: by mesh and material.
+// The shapes of solids, each worked out once: by mesh and body.
 #pragma once
 
+#include "scene/bodies.h"
 #include "scene/scene.h"
 #include "scene/solid_shape.h"
 
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace gg::needs {
 
 class Shapes {
 public:
-  explicit Shapes(const scene::Scene& scene) : scene_(scene) {} // must outlive this
-  // Of the solid that the instance's primitives of that material make together.
-  const scene::SolidShape& of(const scene::Instance& instance, scene::Index material);
+  explicit Shapes(const scene::Scene& scene) // must outlive this
+      : scene_(scene), bodies_(scene::body_materials(scene)) {}
+  // The material that stands for the body of this one (scene/bodies.h).
+  scene::Index body(scene::Index material) const {
+    return bodies_[static_cast<std::size_t>(material)];
+  }
+  // Of the solid that the instance's primitives of that body make together.
+  const scene::SolidShape& of(const scene::Instance& instance, scene::Index body_of);
 
 private:
   const scene::Scene& scene_;
+  std::vector<scene::Index> bodies_;
   std::map<std::pair<scene::Index, scene::Index>, scene::SolidShape> shapes_;
 };
 

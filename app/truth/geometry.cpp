@@ -1,6 +1,7 @@
 #include "truth/geometry.h"
 
 #include "core/error.h"
+#include "scene/bodies.h"
 
 #include <embree3/rtcore.h>
 
@@ -27,8 +28,7 @@ void pass_from_behind(const RTCFilterFunctionNArguments* args) {
 // A surface that light cannot cross, drawn by the raster from its front only. Both faces of a solid
 // are interfaces, whatever the material says about its sides.
 bool is_one_sided(const scene::Material& m) {
-  const bool solid = m.transmission > 0.0f && m.thickness > 0.0f && !m.unlit;
-  return !m.double_sided && !solid;
+  return !m.double_sided && !scene::is_solid(m);
 }
 
 glm::dvec3 vertex(const scene::Stream& stream, std::uint32_t i) {

@@ -1,5 +1,7 @@
 #include "truth/media.h"
 
+#include "scene/bodies.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,16 +30,18 @@ bool Inside::contains(SolidId solid) const {
 
 Media::Media(const scene::Scene& scene, const Geometry& geometry) {
   std::map<std::pair<scene::Index, scene::Index>, SolidId> known;
+  const std::vector<scene::Index> bodies = scene::body_materials(scene);
   std::vector<scene::Bounds> bounds;
   if (!geometry.parts().empty()) first_ = geometry.parts().data();
   for (const Part& part : geometry.parts()) {
-    const scene::Material& m = *part.material;
-    if (!(m.transmission > 0.0f && m.thickness > 0.0f) || m.unlit) {
+    if (!scene::is_solid(*part.material)) {
       of_part_.push_back(air);
       continue;
     }
-    const auto [entry, is_new] = known.try_emplace({part.instance, part.material_index},
-                                                   static_cast<SolidId>(solids_.size()));
+    const scene::Index body = bodies[static_cast<std::size_t>(part.material_index)];
+    const scene::Material& m = scene.materials[static_cast<std::size_t>(body)];
+    const auto [entry, is_new] =
+        known.try_emplace({part.instance, body}, static_cast<SolidId>(solids_.size()));
     if (is_new) {
       solids_.push_back({.ior = static_cast<double>(m.ior),
                          .dispersion = static_cast<double>(m.dispersion),

@@ -46,8 +46,8 @@ class Media {
 public:
   Media(const scene::Scene& scene, const Geometry& geometry);
 
-  // The solid that the part bounds, or air if it bounds none. The parts of one instance that share
-  // a material bound one solid.
+  // The solid that the part bounds, or air if it bounds none. The parts of one instance whose
+  // materials share a body (scene/bodies.h) bound one solid.
   SolidId bounded_by(const Part& part) const;
   // What fills a place that is inside of these.
   SolidId at(const Inside& inside) const;

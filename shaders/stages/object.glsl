@@ -1,4 +1,4 @@
-// object.glsl: which solid a fragment belongs to: the parts of one instance that share a material bound one solid.
+// object.glsl: which solid a fragment belongs to: the parts of one instance that share a body (app/scene/bodies.h) bound one solid.
 // Needs    interface/instance.glsl, interface/material.glsl.
 
 // Numbers below 2^24 are exact in the floats that bring them; 0 stands for nothing.
