@@ -3,6 +3,8 @@
 
 #include "scene/scene.h"
 
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace gg::scene {
@@ -16,5 +18,20 @@ bool is_solid(const Material& material);
 // meet: a bottle that is clear above and frosted below. The stand-in is the first in the file; the
 // volume within is what it says. Positions count as one if they are equal to the bit. Pure.
 std::vector<Index> body_materials(const Scene& scene);
+
+// Which solids have an inside. An open sheet with a thickness has none: it is a plate of that
+// thickness. Closed meshes have one, and so have those that nearly are (scene/bodies.cpp): seams and
+// small holes do not count. `scene` must outlive it.
+class Bodies {
+public:
+  explicit Bodies(const Scene& scene) : scene_(scene), stands_in_(body_materials(scene)) {}
+  // Of the material's body in the mesh; false if the material is no solid's.
+  bool has_inside(Index mesh, Index material);
+
+private:
+  const Scene& scene_;
+  std::vector<Index> stands_in_;
+  std::map<std::pair<Index, Index>, bool> known_;
+};
 
 } // namespace gg::scene

@@ -32,14 +32,15 @@ void Integrator::add_direct_light(Walk& walk, const Path& path, const Meeting& m
   const auto visible = [&](const glm::dvec3& wi, double distance, bool across, bool punctual) {
     if (alone) return glm::dvec3(1.0);
     return shadow({geometry_.leave(m.surface.hit, wi), wi, 0.0, distance}, m.surface.hit.position,
-                  m.inside_after(across), path.channel, punctual);
+                  m.where_after(across), path.channel, punctual, walk.random);
   };
 
   if (environment_) {
     const auto drawn = environment_->sample(walk.random);
     const Link l = drawn ? link(drawn->direction) : Link{};
     // From inside a solid that bends light the environment is seen through its boundary only.
-    if (l.open && (alone || media_.ior(media_.at(m.inside_after(l.across)), path.channel) == 1.0))
+    if (l.open
+        && (alone || media_.ior(media_.at(m.where_after(l.across).inside), path.channel) == 1.0))
       walk.sample.radiance += path.throughput * l.scattered.f_cos * drawn->radiance
                               * (mis_share(drawn->pdf, l.scattered.pdf) * path.open / drawn->pdf)
                               * visible(drawn->direction, INFINITY, l.across, false);
@@ -67,15 +68,19 @@ void Integrator::add_direct_light(Walk& walk, const Path& path, const Meeting& m
 
 // What gets past everything on the ray without changing its direction, per channel. `from`: the
 // surface that it starts a rounding off.
-glm::dvec3 Integrator::shadow(Ray ray, glm::dvec3 from, Inside inside, int channel,
-                              bool through_walls) const {
+glm::dvec3 Integrator::shadow(Ray ray, glm::dvec3 from, Whereabouts where, int channel,
+                              bool through_walls, Random& random) const {
   if (!casts_clear_shadows_) return glm::dvec3(geometry_.occluded(ray) ? 0.0 : 1.0);
   const glm::dvec3 end = ray.origin + ray.far * ray.direction; // where it is finite
   glm::dvec3 passed(1.0);
   while (const auto hit = geometry_.intersect(ray)) {
-    passed *= media_.transmittance(media_.at(inside), glm::distance(from, hit->position));
+    const Crossing crossing = cross(*hit, ray.direction, where, geometry_, media_, surfaces_,
+                                    random, Holes::by_the_caller);
+    passed *=
+        media_.transmittance(media_.at(crossing.before.inside), glm::distance(from, hit->position));
     from = hit->position;
-    passed *= straight_through(*hit, ray, inside, channel, through_walls);
+    where = crossing.beyond;
+    if (crossing.hit) passed *= straight_through(crossing, ray, channel, through_walls);
     if (!(largest(passed) > 0.0)) return glm::dvec3(0.0);
     const glm::dvec3 next = geometry_.leave(*hit, ray.direction);
     ray.far -= glm::distance(ray.origin, next);
@@ -83,29 +88,23 @@ glm::dvec3 Integrator::shadow(Ray ray, glm::dvec3 from, Inside inside, int chann
     if (!(ray.far > 0.0)) return passed;
   }
   if (!std::isfinite(ray.far)) return passed;
-  return passed * media_.transmittance(media_.at(inside), glm::distance(from, end));
+  return passed * media_.transmittance(media_.at(where.inside), glm::distance(from, end));
 }
 
-glm::dvec3 Integrator::straight_through(const Hit& hit, const Ray& ray, Inside& inside, int channel,
+glm::dvec3 Integrator::straight_through(const Crossing& crossing, const Ray& ray, int channel,
                                         bool through_walls) const {
-  const double coverage = surfaces_.coverage(hit);
-  if (coverage == 0.0) return glm::dvec3(1.0);
+  const Hit& hit = *crossing.hit;
+  const double coverage = hit.part->solid ? 1.0 : surfaces_.coverage(hit);
   const glm::dvec3 beside(1.0 - coverage);
-  if (!(hit.part->material->transmission > 0.0f)) return beside;
-
+  if (!(hit.part->material->transmission > 0.0f && coverage > 0.0)) return beside;
   const Surface s = surfaces_.read(hit, -ray.direction);
-  if (s.kind == SurfaceKind::solid && coverage == 1.0) {
-    const SolidId solid = media_.bounded_by(*hit.part), medium = media_.at(inside);
-    if (glm::dot(ray.direction, hit.normal) < 0.0)
-      inside.enter(solid);
-    else
-      inside.leave(solid);
-    return unbent(s, medium, media_.at(inside), channel).value_or(glm::dvec3(0.0));
-  }
-  // A smooth wall: all orders of inner reflection, t² / (1 - r²).
-  if (through_walls && s.kind == SurfaceKind::thin && s.alpha == 0.0) {
+  const SolidId medium = media_.at(crossing.before.inside);
+  if (s.kind == SurfaceKind::solid)
+    return unbent(s, medium, media_.at(crossing.beyond.inside), channel).value_or(glm::dvec3(0.0));
+  // A smooth wall: all orders of inner reflection, t² / (1 - r²). A plate moves light aside.
+  if (through_walls && s.kind == SurfaceKind::thin && s.alpha == 0.0 && s.thickness == 0.0) {
     Meeting m{.surface = s, .wo = s.wo};
-    m.ior_before = media_.ior(media_.at(inside), channel);
+    m.ior_before = media_.ior(medium, channel);
     m.ior_beyond = static_cast<double>(s.material->ior);
     const Closure outer = closure_at(m, 0.0);
     m.surface.metallic = 0.0;

@@ -25,12 +25,6 @@ void pass_from_behind(const RTCFilterFunctionNArguments* args) {
   }
 }
 
-// A surface that light cannot cross, drawn by the raster from its front only. Both faces of a solid
-// are interfaces, whatever the material says about its sides.
-bool is_one_sided(const scene::Material& m) {
-  return !m.double_sided && !scene::is_solid(m);
-}
-
 glm::dvec3 vertex(const scene::Stream& stream, std::uint32_t i) {
   const float* v = stream.values.data() + 3 * static_cast<std::size_t>(i);
   return {v[0], v[1], v[2]};
@@ -49,8 +43,48 @@ Part part_of(const scene::Scene& scene, scene::Index instance, const scene::Prim
   part.normal_from_mesh =
       std::abs(glm::determinant(linear)) > 0.0 ? glm::transpose(glm::inverse(linear)) : linear;
   part.mirrored = placed.mirrored;
-  part.one_sided = is_one_sided(*part.material);
   return part;
+}
+
+} // namespace
+
+namespace {
+
+// The origin of a ray is rounded to float (2^-24 of each coordinate, at most sqrt(3) of that along
+// the normal), Embree's edges and its plane test lose a few times 2^-24 of the triangle's size.
+// 2^-20 is sixteen such roundings: enough for all of them, a millionth of the scene.
+constexpr double leave_offset = 0x1p-20;
+
+scene::Bounds world_bounds(const scene::Scene& scene, const Part& part) {
+  scene::Bounds bounds;
+  const scene::Stream& positions =
+      scene.streams[static_cast<std::size_t>(part.primitive->positions)];
+  for (std::uint32_t i = 0; i < positions.count(); ++i)
+    bounds.include(glm::vec3(part.world_from_mesh * glm::dvec4(vertex(positions, i), 1.0)));
+  return bounds;
+}
+
+// By a sweep along x.
+void mark_overlaps(const scene::Scene& scene, std::vector<Part>& parts) {
+  struct Box {
+    Part* part;
+    scene::Bounds bounds;
+  };
+  std::vector<Box> boxes;
+  const float margin = static_cast<float>(2.0 * leave_offset) * scene.bounds.radius();
+  for (Part& part : parts) {
+    Box box{&part, world_bounds(scene, part)};
+    box.bounds.low -= margin, box.bounds.high += margin;
+    boxes.push_back(box);
+  }
+  std::ranges::sort(boxes, std::less{}, [](const Box& box) { return box.bounds.low.x; });
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t j = i + 1; j < boxes.size() && boxes[j].bounds.low.x <= boxes[i].bounds.high.x;
+         ++j) {
+      const scene::Bounds &a = boxes[i].bounds, &b = boxes[j].bounds;
+      if (a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z)
+        boxes[i].part->meets_others = boxes[j].part->meets_others = true;
+    }
 }
 
 } // namespace
@@ -66,7 +100,8 @@ struct Geometry::Embree {
     scene = rtcNewScene(device);
     // Without it a ray may slip through the edge between two triangles: light would leak into and
     // out of solids.
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST
+                                                       | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
   }
   ~Embree() {
     rtcReleaseScene(scene);
@@ -147,6 +182,15 @@ Geometry::Geometry(const scene::Scene& scene) : embree_(std::make_unique<Embree>
     for (const scene::Primitive& primitive :
          scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)].primitives)
       parts_.push_back(part_of(scene, static_cast<scene::Index>(i), primitive));
+  // Both faces of a solid are interfaces, whatever the material says about its sides; else a surface
+  // is drawn by the raster from its front only.
+  scene::Bodies bodies(scene);
+  for (Part& part : parts_) {
+    part.solid = bodies.has_inside(scene.instances[static_cast<std::size_t>(part.instance)].mesh,
+                                   part.material_index);
+    part.one_sided = !part.material->double_sided && !part.solid;
+  }
+  mark_overlaps(scene, parts_);
   for (const Part& part : parts_)
     embree_->add(part, scene.streams[static_cast<std::size_t>(part.primitive->positions)],
                  scene.indices[static_cast<std::size_t>(part.primitive->indices)], centre_);
@@ -167,11 +211,14 @@ std::optional<Hit> Geometry::intersect(const Ray& ray) const {
   rtcIntersect1(embree_->scene, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
-  const unsigned geometry = query.hit.geomID;
+  return hit_of(query.hit.geomID, query.hit.primID, static_cast<double>(query.hit.u),
+                static_cast<double>(query.hit.v));
+}
+
+Hit Geometry::hit_of(unsigned geometry, unsigned triangle, double u, double v) const {
   Hit hit;
   hit.part = &parts_[geometry];
-  std::copy_n(embree_->corners(geometry, query.hit.primID), 3, hit.vertices);
-  const double u = static_cast<double>(query.hit.u), v = static_cast<double>(query.hit.v);
+  std::copy_n(embree_->corners(geometry, triangle), 3, hit.vertices);
   hit.weights = {1.0 - u - v, u, v};
   glm::dvec3 p[3];
   for (int k = 0; k < 3; ++k)
@@ -190,6 +237,56 @@ std::optional<Hit> Geometry::intersect(const Ray& ray) const {
   return hit;
 }
 
+namespace {
+
+// A query that asks for everything on its way.
+struct Everything {
+  RTCIntersectContext context; // first: Embree hands back its address
+  const Part* parts;
+  const Part* except;
+  struct Met {
+    unsigned geometry, triangle;
+    double u, v;
+  };
+  std::vector<Met> met;
+};
+
+void note_and_go_on(const RTCFilterFunctionNArguments* args) {
+  auto& all = *reinterpret_cast<Everything*>(args->context);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] != -1) continue;
+    args->valid[i] = 0;
+    const unsigned geometry = RTCHitN_geomID(args->hit, args->N, i);
+    const bool known =
+        std::ranges::any_of(all.met, [&](const auto& m) { return m.geometry == geometry; });
+    if (&all.parts[geometry] == all.except || known) continue;
+    all.met.push_back({geometry, RTCHitN_primID(args->hit, args->N, i),
+                       static_cast<double>(RTCHitN_u(args->hit, args->N, i)),
+                       static_cast<double>(RTCHitN_v(args->hit, args->N, i))});
+  }
+}
+
+} // namespace
+
+std::vector<Hit> Geometry::touching(const Hit& hit, const glm::dvec3& direction) const {
+  std::vector<Hit> found;
+  if (!hit.part->meets_others) return found;
+  // Across the hit, from one side's `leave` to the other's.
+  const double offset = leave_offset * hit.scale;
+  const glm::dvec3 across = glm::dot(direction, hit.normal) < 0.0 ? -hit.normal : hit.normal;
+  RTCRayHit query{};
+  query.ray = embree_ray({hit.position - offset * across, across, 0.0, 2.0 * offset}, centre_);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  Everything all{.context = {}, .parts = parts_.data(), .except = hit.part, .met = {}};
+  rtcInitIntersectContext(&all.context);
+  all.context.filter = note_and_go_on;
+  rtcIntersect1(embree_->scene, &all.context, &query);
+  for (const Everything::Met& met : all.met)
+    found.push_back(hit_of(met.geometry, met.triangle, met.u, met.v));
+  return found;
+}
+
 bool Geometry::occluded(const Ray& ray) const {
   RTCRay query = embree_ray(ray, centre_);
   RTCIntersectContext context;
@@ -198,11 +295,8 @@ bool Geometry::occluded(const Ray& ray) const {
   return query.tfar < 0.0f;
 }
 
-// The origin is rounded to float (2^-24 of each coordinate, at most sqrt(3) of that along the
-// normal), Embree's edges and its plane test lose a few times 2^-24 of the triangle's size. 2^-20
-// is sixteen such roundings: enough for all of them, a millionth of the scene.
 glm::dvec3 Geometry::leave(const Hit& hit, const glm::dvec3& w) const {
-  const double offset = 0x1p-20 * hit.scale;
+  const double offset = leave_offset * hit.scale;
   return hit.position + (glm::dot(w, hit.normal) >= 0.0 ? offset : -offset) * hit.normal;
 }
 

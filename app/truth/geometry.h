@@ -20,6 +20,8 @@ struct Part {
   glm::dmat3 normal_from_mesh{1.0}; // inverse transpose, up to a positive factor
   bool mirrored = false;            // the front faces are clockwise
   bool one_sided = false;           // not there for a ray that comes from behind
+  bool solid = false;               // bounds a volume that it has inside (scene/bodies.h)
+  bool meets_others = false;        // its bounds and those of another part overlap
 };
 
 struct Hit {
@@ -43,6 +45,9 @@ public:
 
   // The nearest triangle along the ray. One-sided surfaces are met from their front only.
   std::optional<Hit> intersect(const Ray& ray) const;
+  // Of all other parts, the triangles that lie where the hit does, as `leave` tells places apart, for
+  // a ray in this direction; one a part. Where one is met, the others are passed with it.
+  std::vector<Hit> touching(const Hit& hit, const glm::dvec3& direction) const;
   // Is there any triangle on the ray?
   bool occluded(const Ray& ray) const;
 
@@ -52,6 +57,7 @@ public:
 
 private:
   struct Embree;
+  Hit hit_of(unsigned geometry, unsigned triangle, double u, double v) const;
   std::vector<Part> parts_;
   glm::dvec3 centre_{0.0}; // of the scene: Embree's coordinates are relative to it
   std::unique_ptr<Embree> embree_;

@@ -11,7 +11,7 @@ Integrator::Integrator(const scene::Scene& scene, const EnvironmentLight* enviro
                        const std::optional<glm::dvec3>& eye, const Settings& settings)
     : scene_(scene), environment_(environment), settings_(settings), geometry_(scene),
       media_(scene, geometry_), surfaces_(scene) {
-  if (eye) around_eye_ = solids_around(*eye, geometry_, media_);
+  if (eye) around_eye_.inside = solids_around(*eye, geometry_, media_);
   for (const scene::Material& m : scene.materials) {
     casts_clear_shadows_ |= Surfaces::has_holes(m) || m.transmission > 0.0f;
     auto& albedo = albedos_[static_cast<std::size_t>(m.distribution)];
@@ -22,7 +22,7 @@ Integrator::Integrator(const scene::Scene& scene, const EnvironmentLight* enviro
 
 Sample Integrator::trace(const Ray& camera_ray, Random& random) const {
   Walk walk{.random = random};
-  walk.paths.push_back({.ray = camera_ray, .from = camera_ray.origin, .inside = around_eye_});
+  walk.paths.push_back({.ray = camera_ray, .from = camera_ray.origin, .where = around_eye_});
   while (true) {
     if (!walk.at_surfaces.empty()) {
       const auto [path, meeting] = std::move(walk.at_surfaces.back());
@@ -43,22 +43,20 @@ void Integrator::advance(Walk& walk, Path path) const {
   while (true) {
     const std::optional<Hit> hit = geometry_.intersect(path.ray);
     if (!hit) return add_environment(walk, path);
-    const SolidId solid = media_.bounded_by(*hit->part);
-    const bool enters = glm::dot(path.ray.direction, hit->normal) < 0.0;
-    // A solid that is left was entered somewhere, if only through a hole in its mesh.
-    if (solid != air && !enters && !path.inside.contains(solid)) path.inside.enter(solid);
-    const SolidId medium = media_.at(path.inside);
+    const glm::dvec3 direction = path.ray.direction;
+    const Crossing crossing =
+        cross(*hit, direction, path.where, geometry_, media_, surfaces_, walk.random, Holes::drawn);
+    const SolidId medium = media_.at(crossing.before.inside);
     path.throughput *= media_.transmittance(medium, glm::distance(path.from, hit->position));
     path.from = hit->position;
-
-    const glm::dvec3 direction = path.ray.direction;
     path.ray = {geometry_.leave(*hit, direction), direction};
-    if (Surfaces::has_holes(*hit->part->material)
-        && walk.random.uniform() >= surfaces_.coverage(*hit))
+    if (!crossing.hit) {
+      path.where = crossing.beyond;
       continue;
-    if (walk.sample.object == 0) walk.sample.object = 1 + hit->part->instance;
+    }
+    if (walk.sample.object == 0) walk.sample.object = 1 + crossing.hit->part->instance;
 
-    Meeting meeting{.surface = surfaces_.read(*hit, -direction), .wo = -direction};
+    Meeting meeting{.surface = surfaces_.read(*crossing.hit, -direction), .wo = -direction};
     const Surface& surface = meeting.surface;
     if (surface.kind == SurfaceKind::unlit) {
       walk.sample.radiance += path.throughput * surface.base_color;
@@ -66,14 +64,9 @@ void Integrator::advance(Walk& walk, Path path) const {
     }
     walk.sample.radiance += path.throughput * surface.emissive;
 
-    meeting.before = meeting.beyond = path.inside;
-    if (meeting.solid()) {
-      if (enters)
-        meeting.beyond.enter(solid);
-      else
-        meeting.beyond.leave(solid);
-    }
-    const SolidId next = media_.at(meeting.beyond);
+    meeting.before = crossing.before;
+    meeting.beyond = crossing.beyond;
+    const SolidId next = media_.at(meeting.beyond.inside);
     if (settings_.transport == Transport::surface_only) path.open = surface.occlusion;
     const bool splits =
         path.channel == white && (media_.disperses(medium) || media_.disperses(next));
@@ -96,7 +89,7 @@ void Integrator::meet(Walk& walk, Path path, Meeting meeting, SolidId medium, So
   if (meeting.solid())
     if (const auto passed = unbent(meeting.surface, medium, next, path.channel)) {
       path.throughput *= *passed;
-      path.inside = meeting.beyond;
+      path.where = meeting.beyond;
       walk.paths.push_back(path);
       return;
     }
@@ -138,8 +131,8 @@ bool Integrator::survives(Walk& walk, Path& path) const {
 }
 
 Interface Integrator::interface_at(const Surface& s, double near_ior, double far_ior,
-                                   const glm::dvec3& tint) const {
-  Interface i = interface_of(s, near_ior, far_ior, settings_.smith, tint);
+                                   const glm::dvec3& tint, bool from_within) const {
+  Interface i = interface_of(s, near_ior, far_ior, settings_.smith, tint, from_within);
   if (settings_.multiple_scattering && i.metallic > 0.0 && i.alpha > 0.0) {
     i.many_bounces = &*albedos_[static_cast<std::size_t>(i.distribution)];
     i.bounce_tint = i.many_bounces->tint(i);
@@ -154,16 +147,21 @@ Closure Integrator::closure_at(const Meeting& meeting, double power) const {
   if (meeting.face == Face::first) {
     // A wall tints what reaches its other side, once.
     const glm::dvec3 tint = meeting.solid() ? tint_of(s) : glm::dvec3(1.0);
-    return Closure(interface_at(s, meeting.ior_before, meeting.ior_beyond, tint),
-                   meeting.by_triangle ? face_viewer(n, meeting.wo) : n, meeting.wo, power);
+    return Closure(
+        interface_at(s, meeting.ior_before, meeting.ior_beyond, tint, meeting.from_within()),
+        meeting.by_triangle ? face_viewer(n, meeting.wo) : n, meeting.wo, power);
   }
+  // A wall is one surface, of which the clear share is met once; a plate has two.
   Surface clear = s;
-  clear.metallic = 0.0;
-  clear.transmission = 1.0;
+  if (!meeting.from_within()) {
+    clear.metallic = 0.0;
+    clear.transmission = 1.0;
+  }
   const bool far = meeting.face == Face::far;
   const glm::dvec3 tint = far ? s.base_color : glm::dvec3(1.0);
-  return Closure(interface_at(clear, meeting.ior_beyond, meeting.ior_before, tint),
-                 face_viewer(far ? n : -n, meeting.wo), meeting.wo, power);
+  return Closure(
+      interface_at(clear, meeting.ior_beyond, meeting.ior_before, tint, meeting.from_within()),
+      face_viewer(far ? n : -n, meeting.wo), meeting.wo, power);
 }
 
 void Integrator::scatter(Walk& walk, const Path& path, const Meeting& meeting) const {
@@ -171,6 +169,20 @@ void Integrator::scatter(Walk& walk, const Path& path, const Meeting& meeting) c
   add_direct_light(walk, path, meeting, closure);
   for (const Drawn& drawn : closure.sample(walk.random))
     follow(walk, path, meeting, drawn, closure.interface().eta);
+}
+
+// From face to face of a plate, which stand its thickness apart: absorbed on the way, and as far aside.
+void Integrator::cross_plate(Path& path, Meeting& m, const glm::dvec3& wi) const {
+  if (!(m.surface.thickness > 0.0)) return;
+  // A direction along the plate would never arrive. A thousandth of a right angle is longer than any
+  // plate is wide.
+  constexpr double least_cosine = 1e-3;
+  const double distance =
+      m.surface.thickness / std::max(std::abs(glm::dot(wi, m.surface.n)), least_cosine);
+  const scene::Material& material = *m.surface.material;
+  path.throughput *= transmittance(glm::dvec3(material.attenuation_color),
+                                   distance / static_cast<double>(material.attenuation_distance));
+  m.surface.hit.position += distance * wi;
 }
 
 void Integrator::follow(Walk& walk, Path path, Meeting m, const Drawn& drawn, double eta) const {
@@ -184,6 +196,7 @@ void Integrator::follow(Walk& walk, Path path, Meeting m, const Drawn& drawn, do
     path.scale *= eta2;
     m.face = m.face == Face::far ? Face::near : Face::far;
     m.wo = -drawn.wi;
+    cross_plate(path, m, drawn.wi);
     if (survives(walk, path)) walk.at_surfaces.emplace_back(path, m);
     return;
   }
@@ -198,10 +211,10 @@ void Integrator::follow(Walk& walk, Path path, Meeting m, const Drawn& drawn, do
   }
   path.scale *= eta2;
   if (alone && across && m.solid()) path.throughput *= eta2;
-  path.inside = m.inside_after(across);
+  path.where = m.where_after(across);
   path.ray = {geometry_.leave(m.surface.hit, drawn.wi), drawn.wi};
   path.from = m.surface.hit.position;
-  const bool gathered = alone || media_.ior(media_.at(path.inside), path.channel) == 1.0;
+  const bool gathered = alone || media_.ior(media_.at(path.where.inside), path.channel) == 1.0;
   path.pdf = gathered ? drawn.pdf : 0.0;
   if (!survives(walk, path)) return;
   if (alone)

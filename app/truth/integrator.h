@@ -63,21 +63,23 @@ private:
   void meet(Walk& walk, Path path, Meeting meeting, SolidId medium, SolidId next) const;
   void scatter(Walk& walk, const Path& path, const Meeting& meeting) const;
   void follow(Walk& walk, Path path, Meeting meeting, const Drawn& drawn, double eta) const;
+  void cross_plate(Path& path, Meeting& meeting, const glm::dvec3& wi) const;
   bool survives(Walk& walk, Path& path) const;
   void add_environment(Walk& walk, const Path& path) const;
 
   // direct_light.cpp
   void add_direct_light(Walk& walk, const Path& path, const Meeting& meeting,
                         const Closure& closure) const;
-  glm::dvec3 shadow(Ray ray, glm::dvec3 from, Inside inside, int channel, bool through_walls) const;
-  glm::dvec3 straight_through(const Hit& hit, const Ray& ray, Inside& inside, int channel,
+  glm::dvec3 shadow(Ray ray, glm::dvec3 from, Whereabouts where, int channel, bool through_walls,
+                    Random& random) const;
+  glm::dvec3 straight_through(const Crossing& crossing, const Ray& ray, int channel,
                               bool through_walls) const;
 
   std::optional<glm::dvec3> unbent(const Surface& surface, SolidId medium, SolidId next,
                                    int channel) const;
   Closure closure_at(const Meeting& meeting, double power) const;
   Interface interface_at(const Surface& surface, double near_ior, double far_ior,
-                         const glm::dvec3& tint) const;
+                         const glm::dvec3& tint, bool from_within) const;
 
   const scene::Scene& scene_;
   const EnvironmentLight* environment_;
@@ -85,7 +87,7 @@ private:
   Geometry geometry_;
   Media media_;
   Surfaces surfaces_;
-  Inside around_eye_;
+  Whereabouts around_eye_;
   bool casts_clear_shadows_ = false; // some surface lets a shadow ray pass
   std::array<std::optional<Albedo>, 3>
       albedos_; // by distribution, where many bounces are asked for

@@ -34,7 +34,7 @@ Media::Media(const scene::Scene& scene, const Geometry& geometry) {
   std::vector<scene::Bounds> bounds;
   if (!geometry.parts().empty()) first_ = geometry.parts().data();
   for (const Part& part : geometry.parts()) {
-    if (!scene::is_solid(*part.material)) {
+    if (!part.solid) {
       of_part_.push_back(air);
       continue;
     }
@@ -71,11 +71,15 @@ SolidId Media::bounded_by(const Part& part) const {
 SolidId Media::at(const Inside& inside) const {
   SolidId found = air;
   for (const SolidId id : inside) {
-    const auto volume = [&](SolidId s) { return solids_[static_cast<std::size_t>(s)].volume; };
-    if (found == air || volume(id) < volume(found) || (volume(id) == volume(found) && id > found))
-      found = id;
+    if (found == air || displaces(id, found)) found = id;
   }
   return found;
+}
+
+bool Media::displaces(SolidId a, SolidId b) const {
+  const double volume = solids_[static_cast<std::size_t>(a)].volume;
+  const double other = solids_[static_cast<std::size_t>(b)].volume;
+  return volume < other || (volume == other && a > b);
 }
 
 double Media::ior(SolidId medium, int channel) const {
@@ -93,14 +97,15 @@ bool Media::disperses(SolidId medium) const {
   return solid.dispersion > 0.0 && solid.ior != 1.0;
 }
 
+glm::dvec3 transmittance(const glm::dvec3& color, double depth) {
+  if (!(depth > 0.0)) return glm::dvec3(1.0);
+  return {std::pow(color.x, depth), std::pow(color.y, depth), std::pow(color.z, depth)};
+}
+
 glm::dvec3 Media::transmittance(SolidId medium, double distance) const {
   if (medium == air) return glm::dvec3(1.0);
   const Solid& solid = solids_[static_cast<std::size_t>(medium)];
-  const double depth = distance / solid.attenuation_distance; // 0 where it is infinite
-  // KHR_materials_volume: the colour that white light has after the attenuation distance.
-  if (!(depth > 0.0)) return glm::dvec3(1.0);
-  return {std::pow(solid.attenuation_color.x, depth), std::pow(solid.attenuation_color.y, depth),
-          std::pow(solid.attenuation_color.z, depth)};
+  return truth::transmittance(solid.attenuation_color, distance / solid.attenuation_distance);
 }
 
 Inside solids_around(const glm::dvec3& point, const Geometry& geometry, const Media& media) {
@@ -109,16 +114,21 @@ Inside solids_around(const glm::dvec3& point, const Geometry& geometry, const Me
   // A direction that is unlikely to run along a wall or through an edge of what people model.
   Ray ray{point, glm::normalize(glm::dvec3(0.3183, 0.8660, 0.4142))};
   std::map<SolidId, int> depth; // crossings in, less crossings out, since the point
-  while (const auto hit = geometry.intersect(ray)) {
-    if (const SolidId solid = media.bounded_by(*hit->part); solid != air) {
-      // Left before it was entered: it was around the point.
-      if (glm::dot(ray.direction, hit->normal) < 0.0)
-        ++depth[solid];
-      else if (--depth[solid] < 0) {
-        found.enter(solid);
-        ++depth[solid];
-      }
+  const auto pass = [&](const Hit& hit) {
+    const SolidId solid = media.bounded_by(*hit.part);
+    if (solid == air) return;
+    // Left before it was entered: it was around the point.
+    if (glm::dot(ray.direction, hit.normal) < 0.0)
+      ++depth[solid];
+    else if (--depth[solid] < 0) {
+      found.enter(solid);
+      ++depth[solid];
     }
+  };
+  while (const auto hit = geometry.intersect(ray)) {
+    pass(*hit);
+    for (const Hit& other : geometry.touching(*hit, ray.direction))
+      if (media.bounded_by(*other.part) != media.bounded_by(*hit->part)) pass(other);
     ray.origin = geometry.leave(*hit, ray.direction);
   }
   return found;

@@ -42,6 +42,10 @@ struct Solid {
   double volume = 0.0;                    // of its bounds: smaller displaces larger
 };
 
+// Beer and Lambert: what is left of light after `depth` attenuation distances, at which white has
+// this colour (KHR_materials_volume). All of it where depth is not positive.
+glm::dvec3 transmittance(const glm::dvec3& color, double depth);
+
 class Media {
 public:
   Media(const scene::Scene& scene, const Geometry& geometry);
@@ -51,11 +55,13 @@ public:
   SolidId bounded_by(const Part& part) const;
   // What fills a place that is inside of these.
   SolidId at(const Inside& inside) const;
+  // Of two solids at one place, does the first fill it?
+  bool displaces(SolidId a, SolidId b) const;
   // For one of the channels red, green and blue, or for light of all of them: `white`.
   double ior(SolidId medium, int channel) const;
   // Does the index depend on the channel?
   bool disperses(SolidId medium) const;
-  // Beer and Lambert: what is left of light after `distance` metres, in [0, 1] per channel.
+  // What is left of light after `distance` metres, in [0, 1] per channel.
   glm::dvec3 transmittance(SolidId medium, double distance) const;
   bool empty() const { return solids_.empty(); }
 

@@ -1,9 +1,7 @@
 // A path of light on its way from the camera, and its meeting with a surface.
 #pragma once
 
-#include "truth/geometry.h"
-#include "truth/media.h"
-#include "truth/surface.h"
+#include "truth/crossing.h"
 
 #include <algorithm>
 
@@ -20,7 +18,7 @@ struct Path {
   glm::dvec3 from{
       0.0}; // where it left a surface: the ray starts a rounding off it (Geometry::leave)
   glm::dvec3 throughput{1.0};
-  Inside inside;
+  Whereabouts where;
   double pdf = 0.0;
   double open =
       1.0; // factor on the environment: baked occlusion, where paths do not find their own
@@ -44,11 +42,15 @@ struct Meeting {
   Surface surface;
   Face face = Face::first;
   glm::dvec3 wo{0.0};
-  Inside before, beyond; // on this side of the surface and on the other
+  Whereabouts before, beyond; // on this side of the surface and on the other
   double ior_before = 1.0, ior_beyond = 1.0;
   bool by_triangle = false; // shading normals gave no direction: the triangle's normal is used
 
   bool solid() const { return surface.kind == SurfaceKind::solid; }
+  // Does wo point into a solid's glass? Both faces of a plate are its.
+  bool from_within() const {
+    return solid() ? !surface.front : face != Face::first && surface.thickness > 0.0;
+  }
   // Does a scattered ray leave the place, or stay in the wall?
   bool leaves(bool transmitted) const {
     return face == Face::first ? !transmitted || solid() : transmitted;
@@ -57,7 +59,7 @@ struct Meeting {
   bool crosses(bool transmitted) const {
     return face == Face::first ? transmitted : face == Face::far;
   }
-  const Inside& inside_after(bool transmitted) const {
+  const Whereabouts& where_after(bool transmitted) const {
     return solid() && crosses(transmitted) ? beyond : before;
   }
   bool right_side(const glm::dvec3& wi, bool transmitted) const {

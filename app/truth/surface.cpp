@@ -8,10 +8,11 @@ namespace {
 
 using scene::Material;
 
-SurfaceKind kind_of(const Material& m) {
+SurfaceKind kind_of(const Part& part) {
+  const Material& m = *part.material;
   if (m.unlit) return SurfaceKind::unlit;
   if (!(m.transmission > 0.0f)) return SurfaceKind::opaque;
-  return m.thickness > 0.0f ? SurfaceKind::solid : SurfaceKind::thin;
+  return part.solid ? SurfaceKind::solid : SurfaceKind::thin;
 }
 
 // A coloured or weakened reflectance is no index of refraction: Schlick's form is all that is left.
@@ -122,7 +123,7 @@ Surface Surfaces::read(const Hit& hit, const glm::dvec3& wo) const {
   Surface s;
   s.hit = hit;
   s.material = &m;
-  s.kind = kind_of(m);
+  s.kind = kind_of(*hit.part);
   s.wo = wo;
   s.front = glm::dot(hit.normal, wo) >= 0.0;
   s.geometric = s.front ? hit.normal : -hit.normal;
@@ -150,6 +151,15 @@ Surface Surfaces::read(const Hit& hit, const glm::dvec3& wo) const {
   if (s.kind == SurfaceKind::thin || s.kind == SurfaceKind::solid)
     s.transmission =
         static_cast<double>(m.transmission) * map(hit, m.transmission_map, Encoding::linear).x;
+  if (s.kind == SurfaceKind::thin && m.thickness > 0.0f) {
+    // In units of the mesh: the mean of its axes' lengths, as in the raster.
+    const glm::dmat4& world = hit.part->world_from_mesh;
+    const double unit = (glm::length(glm::dvec3(world[0])) + glm::length(glm::dvec3(world[1]))
+                         + glm::length(glm::dvec3(world[2])))
+                        / 3.0;
+    s.thickness =
+        unit * static_cast<double>(m.thickness) * map(hit, m.thickness_map, Encoding::linear).y;
+  }
   if (reads(hit, m.occlusion_map))
     s.occlusion = 1.0
                   + static_cast<double>(m.occlusion_map.scale)
@@ -159,7 +169,7 @@ Surface Surfaces::read(const Hit& hit, const glm::dvec3& wo) const {
 }
 
 Interface interface_of(const Surface& s, double near_ior, double far_ior, Smith smith,
-                       const glm::dvec3& tint) {
+                       const glm::dvec3& tint, bool from_within) {
   const Material& m = *s.material;
   Interface i;
   i.distribution = m.distribution;
@@ -180,7 +190,7 @@ Interface interface_of(const Surface& s, double near_ior, double far_ior, Smith 
   }
   i.diffuse = (1.0 - s.transmission) * s.base_color;
   i.transmit = s.transmission * tint;
-  if (s.kind == SurfaceKind::solid && !s.front) i.coated = s.transmission;
+  if (from_within) i.coated = s.transmission;
   return i;
 }
 

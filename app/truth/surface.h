@@ -11,7 +11,7 @@ namespace gg::truth {
 enum class SurfaceKind {
   unlit,  // shows its colour and nothing else
   opaque, // scatters on the side that it is seen from
-  thin,   // a wall of no thickness: two interfaces at one place
+  thin,   // a wall of no thickness, or a plate: two interfaces at one place of the mesh
   solid   // one interface between two media
 };
 
@@ -24,10 +24,11 @@ struct Surface {
   glm::dvec3 geometric{0.0}; // the triangle's normal, on wo's side
   glm::dvec3 n{0.0};         // shading normal, on wo's side
   bool front = true;
-  double coverage = 1.0; // chance that the surface is there: alpha mask (0 or 1) and blend
+
   glm::dvec3 base_color{1.0}, emissive{0.0}, specular_color{1.0};
   double metallic = 0.0, alpha = 0.0, specular = 1.0, occlusion = 1.0;
   double transmission = 0.0;       // share of the dielectric's base that is refracted
+  double thickness = 0.0;          // of a plate, metres: a sheet with a volume that has no inside
   bool tinted_reflectance = false; // by specular and specular_color: Schlick's form
 };
 
@@ -59,8 +60,9 @@ private:
 };
 
 // The interface that the surface shows to wo, between media of these indices (near: where wo is).
-// A wall's or a solid's base colour tints what is transmitted by `tint`.
+// A wall's or a solid's base colour tints what is transmitted by `tint`. from_within: wo is on the
+// side of a solid's glass, where an opaque base hides the coat.
 Interface interface_of(const Surface& surface, double near_ior, double far_ior, Smith smith,
-                       const glm::dvec3& tint);
+                       const glm::dvec3& tint, bool from_within);
 
 } // namespace gg::truth

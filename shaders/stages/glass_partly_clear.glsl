@@ -1,6 +1,6 @@
 // glass_partly_clear.glsl: solids whose faces are clear in part only: transmission below 1, or metal.
 // Needs    stages/glass_beams.glsl, stages/surroundings.glsl.
-// Source   README.md, "Bodies of glass": each face is clear by the share that the near one is; the rest of it shows its base.
+// Source   app/README.md, "Bodies of glass": each face is clear by the share that the near one is; the rest of it shows its base.
 // Limits   the base within is lit alike from all sides, and metal counts as if it were diffuse.
 
 vec3 energyOf(GlassBeams beams) { return beams.core.weight + beams.rest.weight + beams.bounced.weight + beams.leftOver.weight; }

@@ -25,9 +25,7 @@ layout(location = 0) out uvec4 outTexel;
 void main() {
     // The same draw gives the same depth to the bit in every pass (opaque.vert: invariant).
     if (peels && gl_FragCoord.z >= uintBitsToFloat(texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).x)) discard;
-    vec4 base = surfaceBaseColor();
-    if (alphaMode == 1 && base.w < material.emissive.w) discard;
-    float alpha = readSurface(base).alpha;
+    float alpha = readSurface(surfaceBaseColor()).alpha; // coverage is not read from within
     if (!gl_FrontFacing && material.transmission.y >= 0.0) alpha = material.transmission.y;
     // Out of the solid on both its sides, and not turned to the viewer: rays inside come from elsewhere.
     vec3 n = surfaceNormal(true);

@@ -19,6 +19,6 @@ layout(location = 0) out vec4 outColor; // premultiplied
 
 void main() {
     vec4 base = surfaceBaseColor();
-    if (alphaMode == 1 && base.w < material.emissive.w) discard;
+    if (alphaMode == 1 && base.w < material.emissive.w && fromOutside()) discard;
     outColor = refractiveColor(base);
 }

@@ -19,12 +19,16 @@
 #include "stages/importance.glsl"
 #include "stages/importance_glass.glsl"
 
+// Whether the viewer is outside of the solid.
+bool fromOutside() { return !seenFromWithin || gl_FrontFacing; }
+
 vec4 refractiveColor(vec4 base) {
-    float coverage = alphaMode == 2 ? base.w : 1.0;
+    // Alpha says whether the solid is there for what comes to it: from within it is.
+    float coverage = alphaMode == 2 && fromOutside() ? base.w : 1.0;
     Surface s = readSurface(base);
     float through = s.transmission * (1.0 - s.metallic);
     // A base colour tints what passes once: its root at each face of a solid.
-    bool twice = !seenFromWithin || gl_FrontFacing;
+    bool twice = fromOutside();
     vec3 tint = through * (twice ? s.baseColor : sqrt(s.baseColor));
     // The far face is clear by the same share.
     float clear = transmission == 2 && twice ? through : 1.0;

@@ -3,6 +3,8 @@
 #include "render/shapes.h"
 #include "truth/integrator.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <optional>
 
 namespace gg::test {
@@ -62,6 +64,66 @@ TEST_P(Render, partly_clear_solids_show_what_the_path_tracer_finds) {
               << ", channel " << c;
       }
     }
+}
+
+TEST_P(Render, a_body_of_two_materials_is_drawn_as_one) {
+  // The lower half of a ball as a material of its own: the same picture.
+  const scene::Scene whole = ball(glass(0.3f));
+  scene::Scene parts = whole;
+  scene::Indices& all = parts.indices[0];
+  const std::size_t half = all.size() / 6 * 3;
+  parts.indices.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(half), all.end());
+  all.resize(half);
+  parts.materials.push_back(parts.materials[0]);
+  parts.meshes[0].primitives.push_back(parts.meshes[0].primitives[0]);
+  parts.meshes[0].primitives[1].indices = 1;
+  parts.meshes[0].primitives[1].material = 1;
+  const frame::FrameDesc desc = from({0, 1.5f, 4});
+  const environment::Map sky = environment_of(
+      128, [](const glm::dvec3& d) { return glm::dvec3(1.0 + d.y, 1.0 + d.x, 1.0 - d.z); });
+  const image::Image one = draw(whole, {sky, desc}), two = draw(parts, {sky, desc});
+  // Pixels are shaded by triangles where two materials take part, by the layer's rounded normals
+  // where one does.
+  constexpr float rounded_normals = 0.02f; // of radiance up to 2
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      for (int c = 0; c < 3; ++c)
+        ASSERT_NEAR(two.at(x, y, c), one.at(x, y, c), rounded_normals) << x << ", " << y;
+}
+
+TEST_P(Render, alpha_says_once_whether_a_body_is_there) {
+  scene::Material m = glass(0.0f);
+  m.base_color.w = 0.4f;
+  m.attenuation_color = glm::vec3(0.3f);
+  m.attenuation_distance = 1.0f;
+  m.alpha_mode = scene::AlphaMode::blend;
+  scene::Scene scene = ball(m);
+  add(scene, square(unlit(glm::vec3(0.5f))),
+      glm::scale(glm::translate(glm::mat4(1.0f), {0, 0, -2}), glm::vec3(9.0f)));
+  const frame::FrameDesc desc = from({0, 0, 4});
+  const image::Image picture = draw(scene, {environment::constant(glm::vec3(1.0f)), desc});
+  constexpr double frames_own = 0.01;
+  for (const int x : {middle, middle + 12}) {
+    const Traced truth = traced(scene, glm::vec3(1.0f), desc.camera, x, middle, 4000);
+    EXPECT_NEAR(picture.at(x, middle, 0), truth.mean.x, frames_own + sigmas * truth.error) << x;
+  }
+}
+
+TEST_P(Render, an_open_sheet_with_a_thickness_is_a_plate) {
+  scene::Material m = glass(0.0f);
+  m.thickness = 0.5f;
+  m.attenuation_color = {0.25f, 0.5f, 1.0f};
+  m.attenuation_distance = 0.5f;
+  const scene::Scene scene = square(m);
+  constexpr double frames_own = 0.01;
+  for (const glm::vec3 eye : {glm::vec3(0, 0, 4), glm::vec3(3, 0, 3)}) {
+    const frame::FrameDesc desc = from(eye);
+    const image::Image picture = draw(scene, {environment::constant(glm::vec3(1.0f)), desc});
+    const Traced truth = traced(scene, glm::vec3(1.0f), desc.camera, middle, middle, 4000);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(picture.at(middle, middle, c), truth.mean[c], frames_own + sigmas * truth.error)
+          << eye.x << ", channel " << c;
+  }
 }
 
 } // namespace gg::test

@@ -78,7 +78,7 @@ TEST(truth_furnace, rough_glass_loses_only_what_single_scattering_loses) {
   constexpr double digits = 0.006;
   const EnvironmentLight white = constant_environment(glm::vec3(1.0f));
   scene::Scene scene;
-  add_sheet(scene, glass(0.5f), 100.0f, 0.0f);
+  add_box(scene, glass(0.5f), {0.0f, 0.0f, -100.0f}, glm::vec3(100.0f)); // its top: z = 0
   const Integrator integrator =
       integrator_of(scene, &white, {.transport = Transport::surface_only});
   const double angles[] = {0.0, 60.0, 80.0};
