@@ -153,7 +153,8 @@ void UploadedScene::upload_blocks() {
   std::vector<uniforms::MaterialData> materials;
   for (const Material* m : needs_->draws.materials) {
     materials.push_back(block_of(*m));
-    materials.back().transmission.w = static_cast<float>(needs_.draws.bodies[materials.size() - 1]);
+    materials.back().transmission.w =
+        static_cast<float>(needs_->draws.bodies[materials.size() - 1]);
   }
   update_uniforms(device_, materials_, "materials", materials);
   std::vector<uniforms::InstanceData> instances;
