@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 namespace gg::environment {
@@ -53,7 +54,14 @@ std::size_t mend(std::vector<float>& rgb, int width, int height) {
 Map load(const std::filesystem::path& path) {
   const image::Image picture = image::read(path);
   const bool single = picture.width == 1 && picture.height == 1;
-  if (picture.width != 2 * picture.height && !single)
+  // Programs that scale or crop a panorama may miss 2:1 by a pixel or two; what is meant is clear, and a hundredth of the
+  // height moves nothing by more than 1.8 degrees.
+  const int off = std::abs(picture.width - 2 * picture.height);
+  if (off != 0 && off <= picture.height / 100)
+    note(path.string() + ": is " + std::to_string(picture.width) + " x "
+         + std::to_string(picture.height)
+         + " pixels, not quite twice as wide as high; taken as the whole sphere");
+  else if (off != 0 && !single)
     throw Error(ExitCode::input, path.string(),
                 "is " + std::to_string(picture.width) + " x " + std::to_string(picture.height)
                     + " pixels; an equirectangular environment is twice as wide as high",
@@ -97,32 +105,68 @@ glm::dvec3 mean_radiance(const Map& map) {
   return sum / (4.0 * std::numbers::pi);
 }
 
-Map fitted_between(const Map& map, int least_height, int greatest_width) {
-  const int repeat = std::max(1, (least_height + map.height - 1) / map.height);
-  int shrink = std::max(1, (map.width + greatest_width - 1) / greatest_width);
-  while (map.width % shrink || map.height % shrink)
-    ++shrink; // at the latest at the height, which divides both
-  if (repeat == 1 && shrink == 1) return map;
-  // A single pixel is as wide as it is high: it becomes two to one.
-  const int stretch = map.width == map.height ? 2 : 1;
-  Map fitted{map.name, stretch * repeat * map.width / shrink, repeat * map.height / shrink, {}};
-  fitted.rgb.reserve(3 * static_cast<std::size_t>(fitted.width)
-                     * static_cast<std::size_t>(fitted.height));
-  for (int y = 0; y < fitted.height; ++y)
-    for (int x = 0; x < fitted.width; ++x) {
-      glm::dvec3 sum(0.0);
-      double total = 0.0;
-      for (int j = 0; j < shrink; ++j) {
-        const int row = y * shrink / repeat + j;
-        const double weight = pixel_solid_angle(map.width, map.height, row);
-        for (int i = 0; i < shrink; ++i)
-          sum += weight * glm::dvec3(map.at(x * shrink / (repeat * stretch) + i, row));
-        total += weight * shrink;
-      }
-      for (int c = 0; c < 3; ++c)
-        fitted.rgb.push_back(static_cast<float>(sum[c] / total));
+namespace {
+
+// How much each of the `from` cells of a line counts in cell `i` of `to` equal ones: the overlap, as (first cell, weights).
+// `edge` gives the measure up to a place of the line, in 0..1.
+struct Overlap {
+  int first = 0;
+  std::vector<double> weights; // they add up to 1
+};
+
+template <class Edge>
+std::vector<Overlap> overlaps(int from, int to, const Edge& edge) {
+  std::vector<Overlap> result(static_cast<std::size_t>(to));
+  for (int i = 0; i < to; ++i) {
+    Overlap& overlap = result[static_cast<std::size_t>(i)];
+    // In whole numbers, places being multiples of 1 / (from * to): cells that meet exactly do not overlap by a rounding.
+    const long long low = static_cast<long long>(i) * from, high = low + from;
+    overlap.first = static_cast<int>(low / to);
+    double total = 0.0;
+    for (long long at = overlap.first; at * to < high; ++at) {
+      const double one = static_cast<double>(from) * to;
+      const double a = static_cast<double>(std::max(low, at * to)) / one;
+      const double b = static_cast<double>(std::min(high, (at + 1) * to)) / one;
+      overlap.weights.push_back(edge(a, b));
+      total += overlap.weights.back();
     }
-  return fitted;
+    for (double& weight : overlap.weights)
+      weight /= total;
+  }
+  return result;
+}
+
+Map resized(const Map& map, int width, int height) {
+  const std::vector<Overlap> across =
+      overlaps(map.width, width, [](double a, double b) { return b - a; });
+  // cos pi a - cos pi b, as a product: at the poles it is a small difference of numbers near 1.
+  const std::vector<Overlap> down = overlaps(map.height, height, [](double a, double b) {
+    return std::sin(0.5 * std::numbers::pi * (a + b)) * std::sin(0.5 * std::numbers::pi * (b - a));
+  });
+  Map result{map.name, width, height, {}};
+  result.rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (const Overlap& rows : down)
+    for (const Overlap& columns : across) {
+      glm::dvec3 sum(0.0);
+      for (std::size_t j = 0; j < rows.weights.size(); ++j)
+        for (std::size_t i = 0; i < columns.weights.size(); ++i)
+          sum += rows.weights[j] * columns.weights[i]
+                 * glm::dvec3(
+                     map.at(columns.first + static_cast<int>(i), rows.first + static_cast<int>(j)));
+      for (int c = 0; c < 3; ++c)
+        result.rgb.push_back(static_cast<float>(sum[c]));
+    }
+  return result;
+}
+
+} // namespace
+
+Map fitted_between(const Map& map, int least_height, int greatest_width) {
+  if (map.width > greatest_width)
+    return resized(map, greatest_width, std::max(1, greatest_width / 2));
+  if (map.height >= least_height) return map;
+  const int repeat = (least_height + map.height - 1) / map.height;
+  return resized(map, 2 * repeat * map.height, repeat * map.height);
 }
 
 } // namespace gg::environment

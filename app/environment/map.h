@@ -25,8 +25,8 @@ struct Map {
 };
 
 // Reads .hdr, .exr or any other picture that image::read knows. Pixels that are NaN, infinite or negative are mended and
-// counted in one note. Throws Error(input) if the file cannot be read, or is not twice as wide as high (a single pixel
-// counts as a constant).
+// counted in one note. Throws Error(input) if the file cannot be read, or is not twice as wide as high (a hundredth off is
+// taken with a note; a single pixel counts as a constant).
 Map load(const std::filesystem::path& path);
 
 // The same radiance from everywhere. Components below 0 or not finite count as 0.
@@ -40,8 +40,8 @@ std::size_t mend(std::vector<float>& rgb, int width, int height);
 // The mean over the sphere, weighted by solid angle.
 glm::dvec3 mean_radiance(const Map& map);
 
-// Of a size between the limits, with the same mean: small maps have their pixels repeated, large ones averaged by area, by
-// a whole factor.
+// Of a size between the limits, twice as wide as high, with the same mean: small maps have their pixels repeated, large
+// ones averaged over the sphere. Any width and height; greatest_width is at least 2 and even.
 Map fitted_between(const Map& map, int least_height, int greatest_width);
 
 // Solid angle of one pixel of row y, sr: exact.

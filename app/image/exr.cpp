@@ -15,6 +15,7 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -84,6 +85,45 @@ void note_primaries(const Imf::Header& header, const std::string& name) {
     note(name + ": its primaries are not those of Rec. 709; its values are used as if they were");
 }
 
+// The window that the picture is meant to fill. Programs save only the part that holds something (the data window), or
+// more than that (overscan). A display window that has nothing of the data, or is so much larger that the file
+// could make the program take memory that it has no use for, is no guide: then the data window counts.
+Imath::Box2i shown_window(const Imf::Header& header, const std::string& name) {
+  const Imath::Box2i data = header.dataWindow(), display = header.displayWindow();
+  if (data == display) return data;
+  const auto pixels = [](const Imath::Box2i& box) {
+    return (static_cast<double>(box.max.x) - box.min.x + 1)
+           * (static_cast<double>(box.max.y) - box.min.y + 1);
+  };
+  constexpr double sparsest = 64.0;
+  if (!display.intersects(data) || pixels(display) > sparsest * pixels(data)) {
+    note(name
+         + ": its display window has next to nothing of its data window, which is used instead");
+    return data;
+  }
+  check_size(name, static_cast<long long>(display.max.x) - display.min.x + 1,
+             static_cast<long long>(display.max.y) - display.min.y + 1);
+  if (!display.intersects(data.min) || !display.intersects(data.max))
+    note(name + ": what lies outside its display window is not used");
+  if (!data.intersects(display.min) || !data.intersects(display.max))
+    note(name + ": its data window is smaller than its display window; the rest is black");
+  return display;
+}
+
+std::vector<float> moved(const std::vector<float>& plane, const Imath::Box2i& from,
+                         const Imath::Box2i& to) {
+  const auto width = [](const Imath::Box2i& box) {
+    return static_cast<std::ptrdiff_t>(box.max.x) - box.min.x + 1;
+  };
+  const std::ptrdiff_t rows = static_cast<std::ptrdiff_t>(to.max.y) - to.min.y + 1;
+  std::vector<float> result(static_cast<std::size_t>(width(to) * rows), 0.0f);
+  const int left = std::max(from.min.x, to.min.x), right = std::min(from.max.x, to.max.x);
+  for (int y = std::max(from.min.y, to.min.y); y <= std::min(from.max.y, to.max.y); ++y)
+    std::copy_n(plane.begin() + (y - from.min.y) * width(from) + (left - from.min.x),
+                right - left + 1, result.begin() + (y - to.min.y) * width(to) + (left - to.min.x));
+  return result;
+}
+
 Exr read_file(Bytes bytes, const std::string& name) {
   MemoryInput stream(bytes, name);
   Imf::InputFile file(stream, 0);
@@ -93,12 +133,15 @@ Exr read_file(Bytes bytes, const std::string& name) {
              static_cast<long long>(window.max.y) - window.min.y + 1);
   note_primaries(header, name);
 
+  const Imath::Box2i shown = shown_window(header, name);
   Exr exr;
-  exr.width = window.max.x - window.min.x + 1;
-  exr.height = window.max.y - window.min.y + 1;
+  exr.width = shown.max.x - shown.min.x + 1;
+  exr.height = shown.max.y - shown.min.y + 1;
   exr.attributes = attributes_of(header);
-  const std::size_t pixels =
-      static_cast<std::size_t>(exr.width) * static_cast<std::size_t>(exr.height);
+  const std::size_t row = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+  const std::size_t pixels = row * static_cast<std::size_t>(window.max.y - window.min.y + 1);
+  const std::size_t largest =
+      std::max(pixels, static_cast<std::size_t>(exr.width) * static_cast<std::size_t>(exr.height));
   check_ratio(header, pixels, bytes.size(), name);
   Imf::FrameBuffer frame;
   bool all_half = true;
@@ -109,19 +152,22 @@ Exr read_file(Bytes bytes, const std::string& name) {
       throw Error(ExitCode::input, name + ", channel " + it.name(),
                   "holds one value for several pixels (luminance and chroma)",
                   "Save it with R, G and B channels.");
-    if (++count > max_channels || static_cast<long long>(pixels) * count > max_values)
+    if (++count > max_channels || static_cast<long long>(largest) * count > max_values)
       throw Error(ExitCode::input, name, "has more channels than are accepted",
                   "Save it with the channels that are needed only.");
     if (std::string_view(it.name()) != "id") all_half &= channel.type == Imf::HALF;
     std::vector<float>& plane = exr.channels[it.name()];
     plane.resize(pixels);
     frame.insert(it.name(), Imf::Slice::Make(Imf::FLOAT, plane.data(), window, sizeof(float),
-                                             sizeof(float) * static_cast<std::size_t>(exr.width)));
+                                             sizeof(float) * row));
   }
   if (count == 0) throw Error(ExitCode::input, name, "has no channels", "Save it again with some.");
   exr.half = all_half;
   file.setFrameBuffer(frame);
   file.readPixels(window.min.y, window.max.y);
+  if (shown != window)
+    for (auto& [channel, plane] : exr.channels)
+      plane = moved(plane, window, shown);
   return exr;
 }
 

@@ -30,6 +30,8 @@ Format format_of_extension(const std::filesystem::path& path) {
   if (extension == ".pfm") return Format::pfm;
   if (extension == ".png") return Format::png;
   if (extension == ".jpg" || extension == ".jpeg") return Format::jpeg;
+  // Standard output and devices have no extension to say more.
+  if (extension.empty() && destination_of(path).is_stream) return Format::png;
   return Format::unknown;
 }
 

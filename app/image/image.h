@@ -55,8 +55,9 @@ Image read(const std::filesystem::path& path);
 // Writes linear values by extension: .exr (float), .hdr (RGBE: steps of 1/255 to 1/128 of a pixel's
 // largest channel, rounded to the nearest; negative values become 0, a fourth channel is dropped),
 // .pfm (a fourth channel is dropped); and .png: the values, clamped to 0..1, are taken as
-// display-encoded already and quantised to 8 bits with rounding; .jpg the same, compressed with loss. 1, 3 or 4 channels. Written to a
-// temporary and renamed. Throws Error(output), also for a NaN where the format has none (.hdr,
+// display-encoded already and quantised to 8 bits with rounding; .jpg the same, compressed with loss. 1, 3 or 4 channels.
+// Standard output ("-") and devices without an extension are given .png. Written to a temporary and
+// renamed. Throws Error(output), also for a NaN where the format has none (.hdr,
 // .png), or Error(usage) for an extension that is not known.
 void write(const std::filesystem::path& path, const Image& image);
 
@@ -69,8 +70,8 @@ struct Exr {
   // sets it if every channel but "id" was stored so.
   bool half = false;
 };
-// Reads every channel of the first part, of scan-line and tiled files, as floats; the size is the
-// data window's. Attributes of type string, int, float and double are kept, as text.
+// Reads every channel of the first part, of scan-line and tiled files, as floats. The size is the
+// display window's: what the data window lacks of it is 0, what it has beside it is dropped, with a note. Attributes of type string, int, float and double are kept, as text.
 Exr read_exr(const std::filesystem::path& path);
 void write_exr(const std::filesystem::path& path, const Exr& exr);
 

@@ -28,6 +28,8 @@ struct Reader {
   std::jmp_buf out{};
   Bytes in;
   std::string message;
+  bool one_scan = false; // whose last row is the end of the data
+  bool unended = false;  // the data end without an end marker
 
   ~Reader() { jpeg_destroy_decompress(&jpeg); }
 
@@ -43,6 +45,7 @@ struct Reader {
 
   bool read_pixels(std::uint8_t* rgba) {
     if (setjmp(out)) return false;
+    one_scan = !jpeg_has_multiple_scans(&jpeg);
     jpeg.out_color_space = JCS_EXT_RGBA;
     jpeg_start_decompress(&jpeg);
     const std::size_t pitch = std::size_t{4} * jpeg.output_width;
@@ -64,6 +67,12 @@ void on_error(j_common_ptr common) {
 }
 
 void on_message(j_common_ptr common, int level) {
+  Reader& reader = *static_cast<Reader*>(common->client_data);
+  // If the data end too soon for the rows, JWRN_HIT_MARKER follows. Of several scans the last ones may be missing altogether.
+  if (reader.one_scan && common->err->msg_code == JWRN_JPEG_EOF) {
+    reader.unended = true;
+    return;
+  }
   // Bytes between segments harm nothing.
   if (level < 0 && common->err->msg_code != JWRN_EXTRANEOUS_DATA) on_error(common);
 }
@@ -154,6 +163,7 @@ Image8 decode_jpeg(Bytes bytes, const std::string& name) {
                .rgba = {}};
   image.rgba.resize(std::size_t{4} * reader.jpeg.image_width * reader.jpeg.image_height);
   if (!reader.read_pixels(image.rgba.data())) fail(reader, name);
+  if (reader.unended) note(name + ": has no end marker after its last row; read all the same");
   return image;
 }
 

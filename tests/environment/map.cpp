@@ -73,6 +73,31 @@ TEST(environment_map, only_panoramas_twice_as_wide_as_high_are_taken) {
   }
 }
 
+TEST(environment_map, a_panorama_that_misses_two_to_one_by_a_hundredth_is_taken) {
+  EXPECT_EQ(load(written("nearly.exr", image::Image(401, 200, 3))).width, 401);
+  EXPECT_THROW(load(written("not_nearly.exr", image::Image(404, 200, 3))), Error);
+}
+
+// A height without small factors, and one that just misses the limit: neither loses more than it must.
+TEST(environment_map, any_size_is_fitted_without_losing_resolution) {
+  const auto sky = [](const glm::dvec3& d) { return glm::dvec3(1.0 + d.y, d.x * d.x, 2.0 + d.z); };
+  for (const int height : {257, 205, 103, 2 * 103}) {
+    const Map map = picture_of(height, sky);
+    const Map fitted = fitted_between(map, 16, 200);
+    ASSERT_EQ(fitted.width, 200);
+    ASSERT_EQ(fitted.height, 100);
+    const Map wanted = picture_of(100, sky);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < wanted.rgb.size(); ++i)
+      worst = std::max(worst, std::abs(static_cast<double>(fitted.rgb[i] - wanted.rgb[i])));
+    // Averages over a pixel against values in its middle: second derivatives times the square of half a pixel.
+    EXPECT_LT(worst, 2e-3) << height;
+    const glm::dvec3 a = mean_radiance(map), b = mean_radiance(fitted);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(a[c], b[c], 1e-6) << height;
+  }
+}
+
 TEST(environment_map, fitting_keeps_the_mean) {
   const Map map =
       picture_of(64, [](const glm::dvec3& d) { return glm::dvec3(1.0 + d.y, d.x * d.x, 3.0); });

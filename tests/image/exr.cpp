@@ -35,8 +35,8 @@ Exr planes(int width, int height, const std::vector<std::string>& names) {
 
 // As other programs write: a window away from the origin, tiles, unsigned integers.
 void write_tiled(const std::filesystem::path& path, const Image& image) {
-  Imf::Header header(Imath::Box2i({0, 0}, {99, 99}),
-                     Imath::Box2i({10, 20}, {9 + image.width, 19 + image.height}));
+  const Imath::Box2i window({10, 20}, {9 + image.width, 19 + image.height});
+  Imf::Header header(window, window);
   header.setTileDescription(Imf::TileDescription(16, 8));
   header.compression() = Imf::PIZ_COMPRESSION;
   std::vector<std::uint32_t> id(image.values.size() / 3);
@@ -111,6 +111,40 @@ TEST(exr, tiles_offset_windows_and_integer_channels_are_read) {
   write_tiled(path, image);
   EXPECT_TRUE(pictures_agree(image::read(path), image, {}));
   EXPECT_EQ(image::read_exr(path).channels.at("id")[40], 40.0f);
+}
+
+TEST(exr, the_display_window_is_the_picture) {
+  const std::filesystem::path path = scratch_directory() / "windows.exr";
+  const Image image = noise(8, 6, 1);
+  const auto read_shown = [&](const Imath::Box2i& display) {
+    const Imath::Box2i data({10, 20}, {17, 25});
+    Imf::Header header(display, data);
+    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    Imf::FrameBuffer frame;
+    frame.insert("Y", Imf::Slice::Make(Imf::FLOAT, image.values.data(), data, 4, 32));
+    {
+      Imf::OutputFile file(path.c_str(), header, 0);
+      file.setFrameBuffer(frame);
+      file.writePixels(6);
+    }
+    return image::read(path);
+  };
+  const Image padded = read_shown({{8, 19}, {19, 26}}), cropped = read_shown({{11, 22}, {14, 24}});
+  ASSERT_EQ(padded.width, 12);
+  ASSERT_EQ(padded.height, 8);
+  ASSERT_EQ(cropped.width, 4);
+  ASSERT_EQ(cropped.height, 3);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 12; ++x) {
+      const bool inside = x >= 2 && x < 10 && y >= 1 && y < 7;
+      EXPECT_EQ(padded.at(x, y), inside ? image.at(x - 2, y - 1) : 0.0f) << x << ' ' << y;
+    }
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 4; ++x)
+      EXPECT_EQ(cropped.at(x, y), image.at(x + 1, y + 2)) << x << ' ' << y;
+  // Elsewhere, or so large that next to nothing of it is there: the data window.
+  EXPECT_EQ(read_shown({{100, 100}, {107, 103}}).width, 8);
+  EXPECT_EQ(read_shown({{0, 0}, {9999, 9999}}).width, 8);
 }
 
 TEST(exr, colour_is_found_in_the_only_layer_and_in_grey) {
