@@ -1,22 +1,14 @@
 #include "scene/solid_shape.h"
 
+#include "scene/weld.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <utility>
+#include <optional>
 
 namespace gg::scene {
 namespace {
-
-using Triangle = std::array<std::uint32_t, 3>;
-
-struct Welded {
-  std::vector<glm::dvec3> points;
-  std::vector<Triangle> triangles; // of three different points
-  double largest = 0.0;            // coordinate, by magnitude
-};
 
 // A face of one plane has one normal at all its corners, whatever it was rounded to: to 8 bits, up to
 // .4 degrees.
@@ -35,51 +27,7 @@ const Indices& indices_of(const Scene& scene, const Primitive& part) {
   return scene.indices[static_cast<std::size_t>(part.indices)];
 }
 
-Welded weld(const Scene& scene, std::span<const Primitive* const> parts) {
-  Welded mesh;
-  std::map<std::array<double, 3>, std::uint32_t> known;
-  for (const Primitive* part : parts) {
-    const Stream& positions = stream_of(scene, part->positions);
-    const Indices& indices = indices_of(scene, *part);
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-      Triangle triangle{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec3 p = vector_at(positions, indices[i + k]);
-        const auto [entry, is_new] =
-            known.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(mesh.points.size()));
-        if (is_new) {
-          mesh.points.push_back(p);
-          mesh.largest = std::max({mesh.largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-        }
-        triangle[k] = entry->second;
-      }
-      const auto [a, b, c] = triangle;
-      if (a != b && b != c && c != a) mesh.triangles.push_back(triangle);
-    }
-  }
-  return mesh;
-}
-
-// The triangles at an edge, by the direction in which they pass it.
-struct Edge {
-  std::vector<std::size_t> along, against;
-};
-using Edges = std::map<std::pair<std::uint32_t, std::uint32_t>, Edge>;
-
-Edges edges_of(const Welded& mesh) {
-  Edges edges;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-      if (a < b)
-        edges[{a, b}].along.push_back(t);
-      else
-        edges[{b, a}].against.push_back(t);
-    }
-  return edges;
-}
-
-bool in_one_piece(const Welded& mesh) {
+bool in_one_piece(const WeldedMesh& mesh) {
   std::vector<std::uint32_t> root(mesh.points.size());
   std::iota(root.begin(), root.end(), 0u);
   const auto find = [&](std::uint32_t i) {
@@ -96,22 +44,77 @@ bool in_one_piece(const Welded& mesh) {
   return true;
 }
 
-// Does the corner of `other` that is not on the edge lie before the plane of `triangle`? Coordinates
-// are rounded to 2^-24 of themselves; a triangle of height h over the edge tilts by that over h, which
-// moves its plane by reach / h times as much where the corner is. Eight such roundings cover its three
-// corners and the corner in question.
-bool turns_inwards(const Welded& mesh, const Triangle& triangle, const Triangle& other,
-                   std::uint32_t a, std::uint32_t b) {
+struct Plane {
+  glm::dvec3 through, normal; // unit, outwards
+  double height;              // the least of the triangle
+};
+
+std::optional<Plane> plane_of(const WeldedMesh& mesh, const Triangle& triangle) {
+  const auto [a, b, c] = triangle;
+  const glm::dvec3 ab = mesh.points[b] - mesh.points[a], ac = mesh.points[c] - mesh.points[a];
+  const glm::dvec3 normal = glm::cross(ab, ac);
+  const double area = glm::length(normal);
+  if (!(area > 0.0)) return std::nullopt; // a needle has no plane; its neighbours meet others
+  const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+  return Plane{mesh.points[a], normal / area, area / longest};
+}
+
+// Does the corner of `other` that is not on the edge lie before the plane of `triangle`, by more than coordinates that are
+// off by `rounding` explain? A triangle of height h over the edge tilts by that over h, which moves its plane by
+// reach / h times as much where the corner is. Eight such roundings cover its three corners and the corner in
+// question.
+bool turns_inwards(const WeldedMesh& mesh, const Triangle& triangle, const Triangle& other,
+                   std::uint32_t a, std::uint32_t b, double rounding) {
   const auto corner = std::ranges::find_if(other, [&](auto i) { return i != a && i != b; });
   const glm::dvec3 from = mesh.points[a], edge = mesh.points[b] - from;
   const glm::dvec3 to = mesh.points[*corner] - from;
   const glm::dvec3 normal = glm::cross(mesh.points[triangle[1]] - mesh.points[triangle[0]],
                                        mesh.points[triangle[2]] - mesh.points[triangle[0]]);
   const double area = glm::length(normal);
-  if (!(area > 0.0)) return false; // a needle has no plane; its neighbours meet others
+  if (!(area > 0.0)) return false;
   const double reach = glm::length(glm::cross(to, edge));
-  const double rounding = 8.0 * 0x1p-24 * mesh.largest * (1.0 + reach / area);
-  return glm::dot(to, normal) / area > rounding;
+  return glm::dot(to, normal) / area > 8.0 * rounding * (1.0 + reach / area);
+}
+
+bool turns_inwards_somewhere(const WeldedMesh& mesh, const Edges& edges, double rounding) {
+  return std::ranges::any_of(edges, [&](const auto& entry) {
+    const auto& [ends, edge] = entry;
+    const Triangle &one = mesh.triangles[edge.along[0]], &other = mesh.triangles[edge.against[0]];
+    return turns_inwards(mesh, one, other, ends.first, ends.second, rounding)
+           || turns_inwards(mesh, other, one, ends.first, ends.second, rounding);
+  });
+}
+
+// Does a point lie before the plane of any triangle? Where coordinates are coarse, no edge of a fine mesh tells a dent from
+// rounding, but what lies on the far side of the dent does. Of large meshes every n-th triangle and point are looked
+// at: a dent has many of both.
+bool sticks_out_somewhere(const WeldedMesh& mesh, double rounding) {
+  constexpr double patience = 4e7; // about .1 s
+  const double pairs =
+      static_cast<double>(mesh.triangles.size()) * static_cast<double>(mesh.points.size());
+  const auto step = static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(pairs / patience))));
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += step) {
+    const auto plane = plane_of(mesh, mesh.triangles[t]);
+    if (!plane) continue;
+    for (std::size_t i = 0; i < mesh.points.size(); i += step) {
+      const glm::dvec3 to = mesh.points[i] - plane->through;
+      const double before = glm::dot(to, plane->normal);
+      if (before > 0.0 && before > 8.0 * rounding * (1.0 + glm::length(to) / plane->height))
+        return true;
+    }
+  }
+  return false;
+}
+
+bool is_convex(const WeldedMesh& mesh, const Edges& edges) {
+  // More than two triangles at an edge: bodies that touch.
+  if (!std::ranges::all_of(edges, [](const auto& e) { return e.second.along.size() == 1; }))
+    return false;
+  if (!in_one_piece(mesh)) return false;
+  if (!turns_inwards_somewhere(mesh, edges, 0x1p-24 * mesh.largest)) return true;
+  // Rounded to whole steps, a coordinate is off by half of one.
+  const double coarse = 0.5 * coarsest_quantum * mesh.size;
+  return !turns_inwards_somewhere(mesh, edges, coarse) && !sticks_out_somewhere(mesh, coarse);
 }
 
 bool is_flat(const Scene& scene, std::span<const Primitive* const> parts) {
@@ -136,21 +139,12 @@ bool is_flat(const Scene& scene, std::span<const Primitive* const> parts) {
 
 SolidShape solid_shape(const Scene& scene, std::span<const Primitive* const> parts) {
   SolidShape shape;
-  const Welded mesh = weld(scene, parts);
+  const WeldedMesh mesh = weld(scene, parts);
   if (mesh.triangles.empty()) return shape;
   shape.flat = is_flat(scene, parts);
   const Edges edges = edges_of(mesh);
-  shape.closed = std::ranges::all_of(edges, [](const auto& entry) {
-    return entry.second.along.size() == entry.second.against.size();
-  });
-  if (!shape.closed || !in_one_piece(mesh)) return shape;
-  shape.convex = std::ranges::all_of(edges, [&](const auto& entry) {
-    const auto& [ends, edge] = entry;
-    if (edge.along.size() != 1) return false; // more than two triangles: bodies that touch
-    const Triangle &one = mesh.triangles[edge.along[0]], &other = mesh.triangles[edge.against[0]];
-    return !turns_inwards(mesh, one, other, ends.first, ends.second)
-           && !turns_inwards(mesh, other, one, ends.first, ends.second);
-  });
+  shape.closed = std::ranges::none_of(edges, [](const auto& e) { return e.second.is_open(); });
+  shape.convex = shape.closed && is_convex(mesh, edges);
   return shape;
 }
 

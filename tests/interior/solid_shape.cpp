@@ -7,6 +7,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace gg::test {
 namespace {
 
@@ -23,6 +26,102 @@ scene::Scene moved(scene::Scene s, const glm::vec3& by, float scale) {
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = scale * values[i] + by[static_cast<int>(i % 3)];
   return s;
+}
+
+// As most generators write it: cos and sin of whole turns, poles of as many vertices as there are columns. `radius` is by
+// direction.
+template <class Radius>
+scene::Scene generated_ball(int columns, int rows, const Radius& radius) {
+  scene::Scene s;
+  scene::Stream positions{3, {}};
+  scene::Indices indices;
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i <= columns; ++i) {
+      const float theta = static_cast<float>(j) / static_cast<float>(rows) * 3.14159274f;
+      const float phi = static_cast<float>(i) / static_cast<float>(columns) * 6.28318548f;
+      const glm::vec3 d(std::sin(theta) * std::cos(phi), std::cos(theta),
+                        -std::sin(theta) * std::sin(phi));
+      const glm::vec3 p = radius(d) * d;
+      positions.values.insert(positions.values.end(), {p.x, p.y, p.z});
+    }
+  const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (columns + 1) + i); };
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i)
+      indices.insert(indices.end(), {at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i, j),
+                                     at(i + 1, j + 1), at(i + 1, j)});
+  scene::Primitive p;
+  p.positions = p.normals = 0;
+  p.indices = p.material = 0;
+  s.streams.push_back(std::move(positions));
+  s.indices.push_back(std::move(indices));
+  s.meshes.push_back({"ball", {p}});
+  return s;
+}
+
+float round_ball(const glm::vec3&) {
+  return 1.0f;
+}
+
+// A dent of a tenth of the radius, smooth and about .6 wide.
+float dented(const glm::vec3& d) {
+  const float away = glm::distance(d, glm::normalize(glm::vec3(1, 0.4f, 0.3f)));
+  return 1.0f - 0.1f * std::exp(-20.0f * away * away);
+}
+
+// Positions as optimisers store them: whole steps of the longest side over 2^bits - 1, from the low corner.
+scene::Scene quantised(scene::Scene s, int bits) {
+  std::vector<float>& values = s.streams[0].values;
+  scene::Bounds bounds;
+  for (std::size_t i = 0; i < values.size(); i += 3)
+    bounds.include({values[i], values[i + 1], values[i + 2]});
+  const glm::vec3 extent = bounds.high - bounds.low;
+  const float step = std::max({extent.x, extent.y, extent.z}) / static_cast<float>((1 << bits) - 1);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const float low = bounds.low[static_cast<int>(i % 3)];
+    values[i] = low + step * std::round((values[i] - low) / step);
+  }
+  return s;
+}
+
+TEST(solid_shape, seams_that_do_not_meet_to_the_last_bit_are_closed) {
+  for (const float distance : {0.0f, 30.0f}) {
+    const scene::SolidShape shape =
+        shape_of(moved(generated_ball(64, 32, round_ball), glm::vec3(distance), 1.0f));
+    EXPECT_TRUE(shape.closed) << distance;
+    EXPECT_TRUE(shape.convex) << distance;
+  }
+}
+
+TEST(solid_shape, quantised_positions_neither_open_nor_dent) {
+  for (const int bits : {14, 16})
+    for (const int columns : {32, 200, 600}) {
+      const scene::Scene ball = generated_ball(columns, columns / 2, round_ball);
+      // Turned, so that no side lies along the steps.
+      scene::Scene turned = ball;
+      const glm::mat3 turn(glm::rotate(glm::mat4(1.0f), 0.7f, glm::vec3(1, 2, 3)));
+      for (std::size_t i = 0; i < turned.streams[0].values.size(); i += 3) {
+        float* const v = turned.streams[0].values.data() + i;
+        const glm::vec3 p = turn * glm::vec3(v[0], v[1], v[2]);
+        v[0] = p.x, v[1] = p.y, v[2] = p.z;
+      }
+      for (const scene::Scene& one : {ball, turned}) {
+        const scene::SolidShape shape = shape_of(quantised(one, bits));
+        EXPECT_TRUE(shape.closed) << bits << " bits, " << columns << " columns";
+        EXPECT_TRUE(shape.convex) << bits << " bits, " << columns << " columns";
+      }
+    }
+}
+
+TEST(solid_shape, quantised_or_not_a_smooth_dent_is_found) {
+  for (const int columns : {64, 200, 600}) {
+    const scene::Scene ball = generated_ball(columns, columns / 2, dented);
+    for (const scene::Scene& one : {ball, quantised(ball, 14)}) {
+      EXPECT_TRUE(shape_of(one).closed) << columns;
+      EXPECT_FALSE(shape_of(one).convex) << columns;
+    }
+  }
+  EXPECT_FALSE(shape_of(quantised(torus(1.5f), 14)).convex);
+  EXPECT_FALSE(shape_of(quantised(wineglass(1.5f), 14)).convex);
 }
 
 TEST(solid_shape, balls_and_boxes_are_convex) {
