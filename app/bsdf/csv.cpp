@@ -20,7 +20,7 @@ CsvReader::CsvReader(const std::filesystem::path& path) : path_(path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     throw Error(ExitCode::input, path, "is a directory", "Name a CSV file.");
-  file_.open(path, std::ios::binary);
+  file_.open(path == "-" ? "/dev/stdin" : path, std::ios::binary);
   if (!file_)
     throw Error(ExitCode::input, path, std::string("cannot be read: ") + std::strerror(errno),
                 "Check the path and its permissions.");

@@ -43,8 +43,7 @@ void check_outputs(const Options& o) {
   if (!image::is_writable_extension(o.out))
     throw Error(ExitCode::usage, o.out, "has an extension that is not known",
                 "Write .png or .jpg (for display), or .exr, .hdr or .pfm (linear radiance).");
-  OutputFile probe(o.out);
-  check_json(o.json);
+  probe_outputs({o.out, o.json});
 }
 
 double median(std::vector<double> values) {
@@ -98,15 +97,16 @@ nlohmann::json time_frames(gpu::Device& device, frame::Renderer& renderer, int c
           {"resources_created", created}};
 }
 
-void print_times(const nlohmann::json& report, int frames) {
+void print_times(std::FILE* to, const nlohmann::json& report, int frames) {
   const auto& ms = report.at("frame_ms");
-  fmt::print("{} frames of one sample per pixel: median {:.2f} ms, least {:.2f}, 95th percentile "
+  fmt::print(to,
+             "{} frames of one sample per pixel: median {:.2f} ms, least {:.2f}, 95th percentile "
              "{:.2f}, most {:.2f}; CPU submit {:.2f} ms; {} resources created\n",
              frames, ms.at("median").get<double>(), ms.at("min").get<double>(),
              ms.at("p95").get<double>(), ms.at("max").get<double>(),
              report.at("cpu_submit_ms").get<double>(), report.at("resources_created").get<int>());
   for (const auto& [label, pass_ms] : report.at("pass_ms").items())
-    fmt::print("  {:<20} {:8.2f} ms\n", label, pass_ms.get<double>());
+    fmt::print(to, "  {:<20} {:8.2f} ms\n", label, pass_ms.get<double>());
 }
 
 void capture(const Options& o) {
@@ -179,11 +179,11 @@ void capture(const Options& o) {
   if (o.frames > 0) report.update(time_frames(*device, renderer, o.frames));
   image::write(o.out, picture);
   if (!o.json.empty()) write_json(o.json, report);
-  if (o.json != "-") {
-    fmt::print("{}: {} x {} pixels, {} on {}, {} sample{} per pixel in {:.0f} ms\n", o.out,
+  if (std::FILE* const to = text_stream({o.out, o.json}); o.json != "-") {
+    fmt::print(to, "{}: {} x {} pixels, {} on {}, {} sample{} per pixel in {:.0f} ms\n", o.out,
                size.width, size.height, method.name, device->info().backend, desc.samples,
                desc.samples == 1 ? "" : "s", draw_ms);
-    if (o.frames > 0) print_times(report, o.frames);
+    if (o.frames > 0) print_times(to, report, o.frames);
   }
   if (!chosen.within_limit)
     throw Error(ExitCode::different, o.method.budget ? "--budget" : "--max-error",
@@ -196,7 +196,9 @@ void add_capture(Command program) {
   auto options = std::make_shared<Options>();
   Command command = program.subcommand("capture", "Draw a scene into a picture file");
   add_options(command, options->scene);
-  command.option("-o,--output", &options->out, "Picture to write: .png, .jpg, .exr, .hdr or .pfm")
+  command
+      .option("-o,--output", &options->out,
+              "Picture to write: .png, .jpg, .exr, .hdr or .pfm; - for standard output, as .png")
       .required();
   add_options(command, options->device);
   add_options(command, options->method);

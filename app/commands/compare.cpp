@@ -3,6 +3,7 @@
 
 #include "commands/commands.h"
 #include "commands/json_file.h"
+#include "commands/options.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/suggest.h"
@@ -51,23 +52,24 @@ std::vector<Column> columns(const Comparison& comparison, const Picture& with_na
 }
 
 template <class Cell>
-void print_row(const char* label, const std::vector<Column>& table, const Cell& cell) {
-  fmt::print("{:<22}", label);
+void print_row(std::FILE* to, const char* label, const std::vector<Column>& table,
+               const Cell& cell) {
+  fmt::print(to, "{:<22}", label);
   for (const Column& column : table)
-    fmt::print(" {:>12}", column.errors->pixels > 0 ? cell(*column.errors) : std::string("-"));
-  fmt::print("\n");
+    fmt::print(to, " {:>12}", column.errors->pixels > 0 ? cell(*column.errors) : std::string("-"));
+  fmt::print(to, "\n");
 }
 
-void print_table(const std::vector<Column>& table) {
-  fmt::print("{:<22}", "");
+void print_table(std::FILE* to, const std::vector<Column>& table) {
+  fmt::print(to, "{:<22}", "");
   for (const Column& column : table)
-    fmt::print(" {:>12}", column.title);
-  fmt::print("\n{:<22}", "pixels");
+    fmt::print(to, " {:>12}", column.title);
+  fmt::print(to, "\n{:<22}", "pixels");
   for (const Column& column : table)
-    fmt::print(" {:>12}", column.errors->pixels);
-  fmt::print("\n");
+    fmt::print(to, " {:>12}", column.errors->pixels);
+  fmt::print(to, "\n");
   const auto row = [&](const char* label, double Errors::*value, const char* format) {
-    print_row(label, table,
+    print_row(to, label, table,
               [&](const Errors& e) { return fmt::format(fmt::runtime(format), e.*value); });
   };
   row("relMSE", &Errors::relmse, "{:.4g}");
@@ -79,13 +81,13 @@ void print_table(const std::vector<Column>& table) {
   row("PSNR, dB (display)", &Errors::psnr, "{:.2f}");
   row("FLIP, mean (display)", &Errors::flip, "{:.4f}");
   if (!table.front().errors->noise) return;
-  print_row("relMSE from noise", table,
+  print_row(to, "relMSE from noise", table,
             [](const Errors& e) { return fmt::format("{:.4g}", e.noise->relmse); });
-  print_row("... 1 %-trimmed", table,
+  print_row(to, "... 1 %-trimmed", table,
             [](const Errors& e) { return fmt::format("{:.4g}", e.noise->relmse_99); });
-  print_row("std. error of mean", table,
+  print_row(to, "std. error of mean", table,
             [](const Errors& e) { return fmt::format("{:.4g}", e.noise->signed_mean); });
-  print_row("pixels within noise", table, [](const Errors& e) {
+  print_row(to, "pixels within noise", table, [](const Errors& e) {
     return fmt::format("{:.1f} %", 100.0 * e.noise->pixels_within);
   });
 }
@@ -221,6 +223,7 @@ void run(const Options& options) {
   if (!options.map.empty()
       && (!image::is_writable_extension(options.map) || !options.map.ends_with(".png")))
     throw Error(ExitCode::usage, options.map, "is no name for a heat map", "Use --map OUT.png.");
+  probe_outputs({options.map, options.json_file});
   const Picture test = image::load_picture(options.test);
   const Picture reference = image::load_picture(options.reference);
   if (test.display_referred != reference.display_referred)
@@ -243,9 +246,10 @@ void run(const Options& options) {
   }
   if (!options.map.empty()) write_map(options, comparison);
   if (numbers) numbers->commit();
-  print_table(table);
+  std::FILE* const to = text_stream({options.map, options.json_file});
+  print_table(to, table);
   for (const std::string& line : lines)
-    fmt::print("{}\n", line);
+    fmt::print(to, "{}\n", line);
 }
 
 } // namespace
@@ -262,7 +266,8 @@ void add_compare(Command program) {
       .one_of({"flip", "relative"});
   command.option("--objects", &options->objects, "Only these objects: names or ids, as Ball,2")
       .comma_separated();
-  command.option("--json", &options->json_file, "Write the numbers as JSON");
+  command.option("--json", &options->json_file,
+                 "Write the numbers as JSON; - for standard output, in place of the table");
   command.action([options] { run(*options); });
 }
 

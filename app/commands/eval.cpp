@@ -73,8 +73,11 @@ void run(const Options& options) {
 void add_eval(Command program) {
   Command command = program.subcommand("eval", "Values of the BSDF for a file of directions (CSV)");
   const auto options = std::make_shared<Options>();
-  command.option("--in", &options->in, "CSV of queries (app/README.md, \"Commands\")").required();
-  command.option("-o,--output", &options->out, "CSV of values").required();
+  command
+      .option("--in", &options->in,
+              "CSV of queries (app/README.md, \"Commands\"); - for standard input")
+      .required();
+  command.option("-o,--output", &options->out, "CSV of values; - for standard output").required();
   command.option("--backend", &options->backend, "cpu (double), opengl or vulkan (float32)")
       .one_of({"cpu", "opengl", "vulkan"});
   command

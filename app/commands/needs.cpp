@@ -24,7 +24,7 @@ struct Options {
 };
 
 void print(const Options& o) {
-  check_json(o.json);
+  probe_outputs({o.json});
   if (o.method.samples < 1 || o.method.samples > 4096)
     throw Error(ExitCode::usage, "--samples", "must be from 1 to 4096");
   if (o.method.smith != "separable" && o.method.smith != "correlated")
@@ -44,8 +44,8 @@ void print(const Options& o) {
     view.environment = environment::bytes_of(*map);
   const needs::Needs needs = needs::needs_of(scene, view);
   const frame::Graph graph = frame::graph_of(needs);
-  fmt::print("{}: {}x{}, {} samples, {}\n{}\n{}", o.scene.scene, size.width, size.height,
-             o.method.samples, o.method.method, needs::text_of(needs),
+  fmt::print(text_stream({o.json}), "{}: {}x{}, {} samples, {}\n{}\n{}", o.scene.scene, size.width,
+             size.height, o.method.samples, o.method.method, needs::text_of(needs),
              frame::text_of(needs, graph));
   if (o.json.empty()) return;
   nlohmann::json report = needs::json_of(needs);
@@ -63,7 +63,8 @@ void add_needs(Command program) {
       "needs", "Print what drawing a scene takes: passes, features, tables, targets, bytes");
   add_options(command, options->scene);
   add_options(command, options->method);
-  command.option("--json", &options->json, "Write the same to this file");
+  command.option("--json", &options->json,
+                 "Write the same to this file; - for standard output, in place of the text");
   command.action([options] { print(*options); });
 }
 

@@ -53,7 +53,8 @@ std::optional<glm::vec3> as_vec3(const std::string& text) {
 } // namespace
 
 void add_options(Command command, SceneOptions& o) {
-  command.option("SCENE", &o.scene, "A glTF 2.0 file, .gltf or .glb").required();
+  command.option("SCENE", &o.scene, "A glTF 2.0 file, .gltf or .glb; - for standard input")
+      .required();
   add_view_options(command, o);
 }
 
@@ -134,7 +135,7 @@ scene::Camera choose_camera(const SceneOptions& options, const scene::Scene& sce
                 "Say where the camera is: --eye X,Y,Z.");
   scene::Camera camera = !options.camera.empty() ? scene::find_camera(scene, options.camera)
                          : !scene.cameras.empty()
-                             ? scene.cameras.front()
+                             ? scene::usable_camera(scene.cameras.front())
                              : scene::default_camera(scene, static_cast<float>(size.width)
                                                                 / static_cast<float>(size.height));
   if (options.fovy) camera.fovy = *options.fovy * radians;
@@ -163,6 +164,18 @@ std::optional<environment::Map> load_environment(const SceneOptions& options,
 std::optional<std::filesystem::path> environment_file(const SceneOptions& options) {
   if (options.env == "none" || as_vec3(options.env)) return std::nullopt;
   return find_environment(options.env.empty() ? "royal_esplanade" : options.env);
+}
+
+void probe_outputs(std::initializer_list<std::filesystem::path> paths) {
+  refuse_same_output(paths);
+  for (const std::filesystem::path& path : paths)
+    if (!path.empty()) OutputFile probe(path);
+}
+
+std::FILE* text_stream(std::initializer_list<std::filesystem::path> results) {
+  for (const std::filesystem::path& path : results)
+    if (!path.empty() && destination_of(path).descriptor == 1) return stderr;
+  return stdout;
 }
 
 std::string in_shell(const std::string& word) {

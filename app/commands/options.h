@@ -7,7 +7,9 @@
 #include "needs/features.h"
 #include "scene/scene.h"
 
+#include <cstdio>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +46,12 @@ void add_options(Command command, SceneOptions& options);
 void add_view_options(Command command, SceneOptions& options);
 void add_options(Command command, DeviceOptions& options);
 void add_options(Command command, MethodOptions& options);
+
+// Everything that can be wrong with where the results go, before the work that makes them: throws Error(output) for a path
+// that cannot be written, Error(usage) for two that are one. Empty paths do not count.
+void probe_outputs(std::initializer_list<std::filesystem::path> paths);
+// Where the text for people goes: not to standard output if a result ("-") goes there.
+std::FILE* text_stream(std::initializer_list<std::filesystem::path> results);
 
 struct Size {
   int width = 0, height = 0;

@@ -40,7 +40,8 @@ constexpr double most_error = 10.0; // ten times as large as what it is the erro
 constexpr int most_threads = 1024;
 
 void check(const Options& o) {
-  if (fs::path(o.out).extension() != ".exr")
+  const bool to_stream = fs::path(o.out).extension().empty() && destination_of(o.out).is_stream;
+  if (fs::path(o.out).extension() != ".exr" && !to_stream)
     throw Error(ExitCode::usage, o.out, "is not an .exr file",
                 "Truth keeps its error and object ids in OpenEXR channels: -o truth.exr.");
   if (o.spp && (*o.spp < 2 || *o.spp > most_spp))
@@ -54,8 +55,7 @@ void check(const Options& o) {
   if (o.smith != "separable" && o.smith != "correlated")
     throw Error(ExitCode::usage, "--smith", "'" + o.smith + "' is not known",
                 "Choose separable or correlated.");
-  for (const std::string& path : {o.out, o.json})
-    if (!path.empty()) OutputFile probe(path);
+  probe_outputs({o.out, o.json});
 }
 
 std::string numbers_of(const scene::Camera& camera) {
@@ -210,8 +210,8 @@ void trace(const Options& o) {
                + "\n");
     file.commit();
   }
-  fmt::print("{}: {} samples per pixel, error {:.2f} %, {:.1f} s\n", o.out, film.samples(),
-             100.0 * film.relative_error(), seconds);
+  fmt::print(text_stream({o.out, o.json}), "{}: {} samples per pixel, error {:.2f} %, {:.1f} s\n",
+             o.out, film.samples(), 100.0 * film.relative_error(), seconds);
   if (!complete)
     throw Error(ExitCode::interrupted, o.out,
                 fmt::format("interrupted; {} samples per pixel are kept", film.samples()),

@@ -3,8 +3,10 @@
 #include "core/error.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -13,6 +15,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <random>
 
 namespace gg {
@@ -71,12 +74,79 @@ fs::path find_home() {
               "Set GROUNDGLASS_HOME to the directory that holds both.");
 }
 
+std::string name_of_input(const fs::path& path) {
+  return path == "-" ? "standard input" : path.string();
+}
+
+// Pipes and devices do not say how much they hold.
+std::vector<std::byte> read_stream(const fs::path& path, std::size_t limit_bytes) {
+  const std::string name = name_of_input(path);
+  const int file = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  std::vector<std::byte> bytes;
+  constexpr std::size_t step = std::size_t{1} << 20;
+  ssize_t got = file < 0 ? -1 : 1;
+  while (got > 0 && bytes.size() <= limit_bytes) {
+    const std::size_t at = bytes.size();
+    bytes.resize(at + step);
+    do
+      got = ::read(file, bytes.data() + at, step);
+    while (got < 0 && errno == EINTR);
+    bytes.resize(at + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  }
+  const std::string why = reason();
+  if (file > STDIN_FILENO) ::close(file);
+  if (got < 0)
+    throw Error(ExitCode::input, name, "cannot be read: " + why,
+                "Check the path and its permissions.");
+  if (bytes.size() > limit_bytes)
+    throw Error(ExitCode::input, name,
+                "has more than the " + std::to_string(limit_bytes) + " bytes that are accepted");
+  return bytes;
+}
+
+struct Followed {
+  fs::path end; // where a chain of links ends, whether or not anything is there
+  bool through_device = false;
+};
+
+Followed follow(fs::path path) {
+  std::error_code error;
+  Followed way;
+  const auto look = [&] {
+    const std::string text = fs::absolute(path, error).lexically_normal().string();
+    way.through_device |= text.starts_with("/dev/") || text.starts_with("/proc/");
+  };
+  look();
+  for (int links = 0; links < 40 && fs::is_symlink(path, error); ++links) {
+    path = path.parent_path() / fs::read_symlink(path, error);
+    look();
+  }
+  way.end = path;
+  return way;
+}
+
+bool same_file(const struct stat& a, const struct stat& b) {
+  return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
+void write_all(int file, std::span<const std::byte> bytes, const fs::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0)
+      throw Error(ExitCode::output, path, "cannot be written: " + reason(), "Check what reads it.");
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
 } // namespace
 
 std::vector<std::byte> read_file(const fs::path& path, std::size_t limit_bytes) {
   std::error_code error;
   if (fs::is_directory(path, error))
     throw Error(ExitCode::input, path, "is a directory", "Name a file.");
+  if (path == "-" || (fs::exists(path, error) && !fs::is_regular_file(path, error)))
+    return read_stream(path, limit_bytes);
   const std::uintmax_t size = fs::file_size(path, error);
   if (error)
     throw Error(ExitCode::input, path, "cannot be read: " + error.message(),
@@ -100,24 +170,74 @@ std::string read_text(const fs::path& path) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-OutputFile::OutputFile(const fs::path& path) : path_(path) {
+Destination destination_of(const fs::path& path) {
+  if (path == "-") return {.path = path, .is_stream = true, .descriptor = STDOUT_FILENO};
+  const Followed way = follow(path);
+  struct stat there {};
+  if (::stat(path.c_str(), &there) != 0) return {.path = way.end};
+  if (S_ISDIR(there.st_mode)) return {.path = path};
+  // The names of open files are links in /dev and /proc, and standard output may be a regular file.
+  if (S_ISREG(there.st_mode) && !way.through_device) return {.path = way.end};
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO})
+    if (struct stat open{}; ::fstat(descriptor, &open) == 0 && same_file(there, open))
+      return {.path = path, .is_stream = true, .descriptor = descriptor};
+  return {.path = path, .is_stream = true};
+}
+
+void refuse_same_output(std::initializer_list<fs::path> paths) {
+  const auto is_null = [](const fs::path& path) {
+    struct stat there {
+    }, null{};
+    return ::stat(path.c_str(), &there) == 0 && ::stat("/dev/null", &null) == 0
+           && there.st_rdev == null.st_rdev && S_ISCHR(there.st_mode);
+  };
+  const auto key_of = [](const fs::path& path) {
+    const Destination d = destination_of(path);
+    if (d.descriptor >= 0) return "descriptor " + std::to_string(d.descriptor);
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(fs::absolute(d.path, error), error);
+    return whole.string();
+  };
+  std::map<std::string, fs::path> taken;
+  for (const fs::path& path : paths) {
+    if (path.empty() || is_null(path)) continue;
+    const auto [other, is_new] = taken.emplace(key_of(path), path);
+    if (!is_new)
+      throw Error(ExitCode::usage, path,
+                  other->second == path ? "is to hold two results"
+                                        : "is the same place as " + other->second.string()
+                                              + ", and both are to be written",
+                  "Give each result a file of its own.");
+  }
+}
+
+OutputFile::OutputFile(const fs::path& path) : path_(path), destination_(destination_of(path)) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored))
     throw Error(ExitCode::output, path, "is a directory", "Name a file to write.");
-  made_.make(path.parent_path(), path);
-  fs::path stem = path;
+  if (destination_.is_stream) {
+    if (destination_.descriptor < 0 && ::access(path.c_str(), W_OK) != 0)
+      throw Error(ExitCode::output, path, "cannot be written: " + reason(),
+                  "Check that you may write there.");
+    return;
+  }
+  made_.make(destination_.path.parent_path(), path);
+  fs::path stem = destination_.path;
   stem.replace_extension();
   for (std::random_device random;;) {
     temporary_ = stem;
-    temporary_ += ".partial-" + std::to_string(random()) + path.extension().string();
+    temporary_ += ".partial-" + std::to_string(random()) + destination_.path.extension().string();
     const int file = ::open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (file >= 0) {
       ::close(file);
       break;
     }
-    if (errno != EEXIST)
-      throw Error(ExitCode::output, path, "cannot be written: " + reason(),
+    if (errno != EEXIST) {
+      const std::string why = reason();
+      temporary_.clear(); // nothing of that name is ours
+      throw Error(ExitCode::output, path, "cannot be written: " + why,
                   "Check that its directory exists and that you may write there.");
+    }
   }
   slot_ = remember(temporary_);
 }
@@ -152,6 +272,10 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::span<const std::byte> bytes) {
+  if (destination_.is_stream) {
+    held_.insert(held_.end(), bytes.begin(), bytes.end());
+    return;
+  }
   std::ofstream out(temporary_, std::ios::binary | std::ios::app);
   out.write(reinterpret_cast<const char*>(bytes.data()),
             static_cast<std::streamsize>(bytes.size()));
@@ -166,8 +290,26 @@ void OutputFile::write(std::string_view text) {
 }
 
 void OutputFile::commit() {
+  if (destination_.is_stream) {
+    std::fflush(stdout); // what was printed before comes before
+    const bool is_open = destination_.descriptor >= 0;
+    const int file =
+        is_open ? destination_.descriptor : ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file < 0)
+      throw Error(ExitCode::output, path_, "cannot be written: " + reason(),
+                  "Check that you may write there.");
+    try {
+      write_all(file, held_, path_);
+    } catch (...) {
+      if (!is_open) ::close(file);
+      throw;
+    }
+    if (!is_open) ::close(file);
+    held_.clear();
+    return;
+  }
   std::error_code error;
-  fs::rename(temporary_, path_, error);
+  fs::rename(temporary_, destination_.path, error);
   if (error)
     throw Error(ExitCode::output, path_, "cannot be written: " + error.message(),
                 "Check that you may write there.");

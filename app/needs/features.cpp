@@ -1,5 +1,7 @@
 #include "needs/features.h"
 
+#include "core/error.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -116,7 +118,12 @@ Features features_of(const scene::Scene& scene, const Material& m, const Primiti
     const int uv_set = (m.*map->slot).uv_set;
     auto found = std::ranges::find(sets, uv_set);
     if (found == sets.end()) {
-      if (static_cast<int>(sets.size()) == max_uv_sets) continue;
+      if (static_cast<int>(sets.size()) == max_uv_sets) {
+        note("material '" + m.name + "' reads more than " + std::to_string(max_uv_sets)
+             + " sets of texture coordinates; its texture on TEXCOORD_" + std::to_string(uv_set)
+             + " is not drawn");
+        continue;
+      }
       found = sets.insert(sets.end(), uv_set);
     }
     set(map->feature, 1 + (found - sets.begin())); // 0: no map

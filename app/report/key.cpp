@@ -51,8 +51,7 @@ std::string key_of_gltf(const fs::path& path) {
       if (!entry.is_object() || uri == entry.end() || !uri->is_string()) continue;
       const std::string text = uri->get<std::string>();
       if (text.starts_with("data:")) continue; // a part of the file
-      key.add(scene::gltf::fetch(text, container.directory, container.name,
-                                 fmt::format("{}[{}].uri", list, i)));
+      key.add(scene::gltf::fetch(text, container, fmt::format("{}[{}].uri", list, i)));
     }
   }
   return key.text();

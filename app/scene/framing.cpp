@@ -1,6 +1,7 @@
 #include "scene/framing.h"
 
 #include "core/error.h"
+#include "scene/nearest.h"
 
 #include <fmt/format.h>
 
@@ -35,28 +36,50 @@ std::string listing(const Scene& scene) {
 
 } // namespace
 
-void fit_depth(Camera& camera, const Bounds& scene_bounds) {
-  const Bounds bounds = usable(scene_bounds);
+void fit_depth(Camera& camera, const Scene& scene) {
+  const Bounds bounds = usable(scene.bounds);
   const float radius = bounds.radius();
   const glm::vec3 eye = camera.world[3], forward = -glm::vec3(camera.world[2]);
   const float depth = glm::dot(bounds.centre() - eye, forward);
   camera.near = std::max(depth - margin * radius, 1e-3f * radius);
+  constexpr float room = 0.9f; // for rounding, here and where vertices are transformed
+  if (const float clear = clear_depth(scene, camera, camera.near); clear < camera.near)
+    camera.near = std::max(room * clear, 1e-6f * radius);
   camera.far = std::max(depth + margin * radius, 2.0f * camera.near);
+}
+
+const Camera& usable_camera(const Camera& camera) {
+  if (!camera.fault.empty())
+    throw Error(ExitCode::input, "", camera.fault,
+                "Or give --eye and --target, or another --camera.");
+  return camera;
 }
 
 Camera default_camera(const Scene& scene, float aspect) {
   const Bounds bounds = usable(scene.bounds);
   Camera camera;
   camera.name = "default";
+  const glm::vec3 half = 0.5f * (bounds.high - bounds.low);
+  // From the side that shows most: from +Z, unless the scene is flat and lies or stands edge-on to that. Twenty times thinner than
+  // wide is no object but a floor, a wall or a picture.
+  constexpr float flat = 0.05f;
+  const float widest = std::max({half.x, half.y, half.z});
+  const bool lies = half.y < flat * widest && half.y <= std::min(half.x, half.z);
+  const bool stands = !lies && half.x < flat * widest && half.x <= half.z;
+  // right, up, back, and the half-extents along them
+  glm::mat3 axes(1.0f);
+  if (lies) axes = glm::mat3(glm::vec3(1, 0, 0), glm::vec3(0, 0, -1), glm::vec3(0, 1, 0));
+  if (stands) axes = glm::mat3(glm::vec3(0, 0, -1), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0));
+  const glm::vec3 extent = glm::abs(glm::transpose(axes) * half);
   // The front face of the box is what fills most of the picture; its half-extents over the tangents
   // of the half-angles give the distance.
-  const glm::vec3 half = 0.5f * (bounds.high - bounds.low);
   const float tangent = std::tan(0.5f * camera.fovy);
-  const float distance = margin * std::max(half.y / tangent, half.x / (tangent * aspect));
-  const float least = 0.1f * bounds.radius(); // a scene seen edge-on has no height
+  const float distance = margin * std::max(extent.y / tangent, extent.x / (tangent * aspect));
+  const float least = 0.1f * bounds.radius(); // a line seen end-on has neither height nor width
+  camera.world = glm::mat4(axes);
   camera.world[3] =
-      glm::vec4(bounds.centre() + glm::vec3(0.0f, 0.0f, half.z + std::max(distance, least)), 1.0f);
-  fit_depth(camera, bounds);
+      glm::vec4(bounds.centre() + (extent.z + std::max(distance, least)) * axes[2], 1.0f);
+  fit_depth(camera, scene);
   return camera;
 }
 
@@ -81,17 +104,17 @@ Camera look_at(const Scene& scene, const glm::vec3& eye, const glm::vec3& target
   camera.fovy = fovy;
   camera.world = {glm::vec4(x, 0), glm::vec4(glm::cross(z, x), 0), glm::vec4(z, 0),
                   glm::vec4(eye, 1)};
-  fit_depth(camera, scene.bounds);
+  fit_depth(camera, scene);
   return camera;
 }
 
 const Camera& find_camera(const Scene& scene, const std::string& wanted) {
   for (const Camera& camera : scene.cameras)
-    if (camera.name == wanted) return camera;
+    if (camera.name == wanted) return usable_camera(camera);
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
   if (error == std::errc() && end == wanted.data() + wanted.size() && index < scene.cameras.size())
-    return scene.cameras[index];
+    return usable_camera(scene.cameras[index]);
   throw Error(ExitCode::usage, scene.path, "has no camera '" + wanted + "'", listing(scene));
 }
 

@@ -90,12 +90,25 @@ private:
       auto primitive = geometry_.build(source.primitives[i], place, frame, pose);
       if (!primitive) continue;
       primitive->material = material;
+      say_what_lacks_coordinates(*primitive, place);
       mesh.primitives.push_back(std::move(*primitive));
     }
     scene_.meshes.push_back(std::move(mesh));
     const auto index = static_cast<Index>(scene_.meshes.size()) - 1;
     if (pose.joints.empty()) meshes_[key] = index;
     return index;
+  }
+
+  void say_what_lacks_coordinates(const Primitive& primitive, const std::string& place) {
+    Material& material = scene_.materials[static_cast<std::size_t>(primitive.material)];
+    for (const Slot* slot : slots(material)) {
+      const auto set = static_cast<std::size_t>(slot->uv_set);
+      if (!*slot || (set < primitive.uvs.size() && primitive.uvs[set] != none)) continue;
+      note(fmt::format(
+          "{}: {} has no TEXCOORD_{}, which a texture of its material '{}' needs; drawn "
+          "without that texture",
+          document_.name(), place, slot->uv_set, material.name));
+    }
   }
 
   Index material_of(const tinygltf::Primitive& primitive) {
@@ -138,8 +151,11 @@ Scene load(const std::filesystem::path& path) {
     for (const Placed& placed : hierarchy.placed())
       placer.place(placed);
   }
+  const std::vector<bool> used = materials_used(scene);
   for (Index i = 0; i < static_cast<Index>(document.model().materials.size()); ++i)
-    if (const auto setting = setting_in_extras(document, i))
+    if (!used[static_cast<std::size_t>(i)])
+      continue; // what is wrong with it harms nothing
+    else if (const auto setting = setting_in_extras(document, i))
       apply_setting(*setting, extent_of(scene, i), scene.materials[static_cast<std::size_t>(i)]);
   compact(scene);
   scene.bounds = world_bounds(scene);
@@ -148,7 +164,7 @@ Scene load(const std::filesystem::path& path) {
          "Check the scale of its nodes.");
   read_cameras(document, hierarchy, scene);
   read_lights(document, hierarchy, scene);
-  decode_images(document, materials_used(scene), scene);
+  decode_images(document, used, scene);
   return scene;
 }
 

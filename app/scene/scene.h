@@ -152,6 +152,7 @@ struct Camera {
   glm::vec2 magnification{1.0f}; // orthographic half-extents, metres
   std::optional<float> aspect;   // width / height, if the file fixes one
   float near = 0.0f, far = 0.0f; // metres; far 0 = infinite
+  std::string fault;             // what is wrong with it in the file: it cannot be looked through
 };
 
 struct Scene {

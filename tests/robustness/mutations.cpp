@@ -2,8 +2,9 @@
 // the file. Nothing else may be thrown, and under the sanitizers nothing else may happen.
 #include "core/error.h"
 #include "core/files.h"
+#include "robustness/damage.h"
+#include "robustness/samples.h"
 #include "scene/framing.h"
-#include "scene/grid.h"
 #include "scene/load.h"
 #include "support/scratch.h"
 
@@ -24,8 +25,6 @@ extern "C" const char* __asan_default_options() {
 }
 
 namespace {
-
-using Bytes = std::vector<std::byte>;
 
 // Loads the file and looks at what came out; returns whether it loaded. (Of millions of values not one expectation each: under
 // the sanitizers they would take most of the time.)
@@ -56,111 +55,8 @@ bool survives(const std::filesystem::path& path) {
   }
 }
 
-// Everything that geometry can be stored as, in one file.
-GltfFile rich() {
-  GltfFile file;
-  const Grid grid(3);
-  const std::size_t vertices = grid.positions.size() / 3;
-  auto& j = file.json;
-  j["materials"] = {{{"normalTexture", {{"index", 0}}},
-                     {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}}}}},
-                     {"extensions",
-                      {{"KHR_materials_volume", {{"thicknessFactor", 1}}},
-                       {"KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}}}}},
-                     {"extras", {{"groundglass", {{"preset", "glass"}, {"color", {1, 1, 1}}}}}}}};
-  j["textures"] = {{{"source", 0}, {"sampler", 0}},
-                   {{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};
-  j["samplers"] = {{{"minFilter", 9987}}};
-  j["images"] = {{{"uri", "data:image/png;base64,"
-                          "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mP4z8AAAAMBAQD3"
-                          "A0FDAAAAAElFTkSuQmCC"}}};
-  auto first = plain(file, grid);
-  std::vector<float> uvs;
-  for (std::size_t i = 0; i < vertices; ++i)
-    uvs.insert(uvs.end(), {grid.positions[3 * i], grid.positions[3 * i + 1]});
-  first["attributes"]["TEXCOORD_0"] = file.accessor(uvs, "VEC2");
-  first["material"] = 0;
-  first["targets"] = {{{"POSITION", file.accessor(grid.normals, "VEC3")}}};
-  file.mesh(first);
-  j["meshes"][0]["weights"] = {0.5};
-
-  auto second = with_meshopt(file, grid);
-  second["attributes"]["JOINTS_0"] =
-      file.accessor(std::vector<std::uint8_t>(4 * vertices, 0), "VEC4");
-  second["attributes"]["WEIGHTS_0"] =
-      file.accessor(std::vector<float>(4 * vertices, 0.25f), "VEC4");
-  file.mesh(second);
-  file.mesh(with_draco(file, grid));
-
-  auto strip = plain(file, grid);
-  strip["mode"] = 5;
-  strip["attributes"].erase("NORMAL");
-  const std::uint8_t places[] = {0, 5};
-  const float moved[] = {1, 2, 3, 4, 5, 6};
-  j["accessors"][strip["attributes"]["POSITION"].get<int>()]["sparse"] = {
-      {"count", 2},
-      {"indices", {{"bufferView", file.view(places, 2)}, {"componentType", 5121}}},
-      {"values", {{"bufferView", file.view(moved, sizeof moved)}}}};
-  file.mesh(strip);
-
-  j["nodes"][1]["skin"] = 0;
-  j["nodes"].push_back({{"camera", 0}, {"children", {5}}, {"rotation", {0, 0, 0, 1}}});
-  j["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}},
-                        {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1}}});
-  j["scenes"][0]["nodes"] = {0, 1, 2, 3, 4};
-  j["skins"] = {{{"joints", {4, 5}}}};
-  j["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}};
-  j["extensions"]["KHR_lights_punctual"]["lights"] = {
-      {{"type", "spot"}, {"spot", {{"outerConeAngle", 0.5}}}}};
-  return file;
-}
-
 TEST(damaged_scenes, the_undamaged_file_loads) {
   EXPECT_TRUE(survives(rich().save()));
-}
-
-// A random member of a JSON value, at any depth.
-json& pick(json& value, std::mt19937& random) {
-  json* at = &value;
-  while (at->is_structured() && !at->empty() && (at == &value || random() % 16 != 0)) {
-    auto next = at->begin();
-    std::advance(next, random() % at->size());
-    at = &*next;
-  }
-  return *at;
-}
-
-json surprise(std::mt19937& random, const json& old) {
-  switch (random() % 14) {
-  case 0:
-    return nullptr;
-  case 1:
-    return -1;
-  case 2:
-    return 0;
-  case 3:
-    return 1;
-  case 4:
-    return 4294967296;
-  case 5:
-    return std::uint64_t{18446744073709551615u};
-  case 6:
-    return 1e38;
-  case 7:
-    return -0.5;
-  case 8:
-    return "\xC3\xA9\x01";
-  case 9:
-    return json::array();
-  case 10:
-    return json::object();
-  case 11:
-    return true;
-  case 12:
-    return static_cast<int>(random() % 8);
-  default:
-    return old.is_number_integer() ? json(old.get<std::int64_t>() + 1) : json::array({old, old});
-  }
 }
 
 TEST(damaged_scenes, json_with_something_else_in_it) {
@@ -193,11 +89,6 @@ TEST(damaged_scenes, json_with_members_missing) {
 
 Bytes bytes_of(const GltfFile& file) {
   return read_file(file.save("whole.glb"));
-}
-
-void flip(Bytes& bytes, std::size_t from, std::mt19937& random) {
-  for (auto flips = 1 + random() % 8; flips > 0; --flips)
-    bytes[from + random() % (bytes.size() - from)] ^= static_cast<std::byte>(1u << (random() % 8));
 }
 
 TEST(damaged_scenes, binary_with_flipped_bits) {

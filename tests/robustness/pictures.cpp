@@ -4,13 +4,13 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "image/image.h"
+#include "robustness/damage.h"
+#include "robustness/samples.h"
 #include "support/errors.h"
 #include "support/scratch.h"
 
 #include <gtest/gtest.h>
-#include <jpeglib.h>
 #include <sys/resource.h>
-#include <webp/encode.h>
 
 #include <algorithm>
 #include <csignal>
@@ -23,106 +23,6 @@ using namespace gg;
 using namespace gg::test;
 
 namespace {
-
-using Bytes = std::vector<std::byte>;
-
-image::Image sample(int width, int height) {
-  image::Image image(width, height, 3);
-  for (std::size_t i = 0; i < image.values.size(); ++i)
-    image.values[i] = static_cast<float>(i % 97) * (i % 5 == 0 ? 0.0f : 0.03f);
-  return image;
-}
-
-Bytes written(const char* extension) {
-  const std::filesystem::path path = scratch_directory() / (std::string("whole") + extension);
-  image::write(path, sample(33, 21));
-  return read_file(path);
-}
-
-std::vector<std::uint8_t> rgb(int width, int height) {
-  std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width * height) * 3);
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-    pixels[i] = static_cast<std::uint8_t>(i * i / 7);
-  return pixels;
-}
-
-Bytes copy(const void* data, std::size_t size) {
-  Bytes bytes(size);
-  std::memcpy(bytes.data(), data, size);
-  return bytes;
-}
-
-Bytes jpeg(bool progressive) {
-  std::vector<std::uint8_t> pixels = rgb(40, 30);
-  jpeg_compress_struct out{};
-  jpeg_error_mgr errors{};
-  out.err = jpeg_std_error(&errors);
-  jpeg_create_compress(&out);
-  unsigned char* data = nullptr;
-  unsigned long size = 0;
-  jpeg_mem_dest(&out, &data, &size);
-  out.image_width = 40;
-  out.image_height = 30;
-  out.input_components = 3;
-  out.in_color_space = JCS_RGB;
-  jpeg_set_defaults(&out);
-  if (progressive) jpeg_simple_progression(&out);
-  jpeg_start_compress(&out, TRUE);
-  while (out.next_scanline < out.image_height) {
-    JSAMPROW row = &pixels[out.next_scanline * std::size_t{120}];
-    jpeg_write_scanlines(&out, &row, 1);
-  }
-  jpeg_finish_compress(&out);
-  jpeg_destroy_compress(&out);
-  const Bytes bytes = copy(data, size);
-  std::free(data);
-  return bytes;
-}
-
-Bytes webp(bool lossless) {
-  const std::vector<std::uint8_t> pixels = rgb(40, 30);
-  std::uint8_t* data = nullptr;
-  const std::size_t size = lossless ? WebPEncodeLosslessRGB(pixels.data(), 40, 30, 120, &data)
-                                    : WebPEncodeRGB(pixels.data(), 40, 30, 120, 80.0f, &data);
-  const Bytes bytes = copy(data, size);
-  WebPFree(data);
-  return bytes;
-}
-
-// Bits flipped, bytes set to what breaks arithmetic, parts cut out, doubled or moved, mostly near
-// the start, where headers are.
-void damage(Bytes& bytes, std::mt19937& random) {
-  const auto below = [&](std::size_t n) { return n == 0 ? 0 : random() % n; };
-  const auto place = [&] {
-    return random() % 2 == 0 ? below(std::min<std::size_t>(bytes.size(), 400))
-                             : below(bytes.size());
-  };
-  for (auto times = 1 + random() % 4; times > 0 && !bytes.empty(); --times) {
-    const std::size_t at = place();
-    const std::size_t count = std::min<std::size_t>(1 + below(8), bytes.size() - at);
-    const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto end = begin + static_cast<std::ptrdiff_t>(count);
-    switch (random() % 6) {
-    case 0:
-      *begin ^= static_cast<std::byte>(1u << random() % 8);
-      break;
-    case 1:
-      std::fill(begin, end, random() % 2 ? std::byte{0xff} : std::byte{0});
-      break;
-    case 2:
-      *begin = std::byte{0x7f};
-      break;
-    case 3:
-      bytes.erase(begin, end);
-      break;
-    case 4:
-      bytes.insert(begin, count, *begin);
-      break;
-    default:
-      std::generate(begin, end, [&] { return static_cast<std::byte>(random()); });
-    }
-  }
-}
 
 // Reads `count` damaged copies; all must end well. Returns how many were refused.
 int survive(const Bytes& whole, const char* name, int count) {

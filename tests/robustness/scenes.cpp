@@ -1,6 +1,7 @@
 // Damaged scenes: each kind of fault by name, with the place that the message must give. Under the
 // sanitizers this is the test that the loader stays within its memory.
 #include "core/error.h"
+#include "scene/framing.h"
 #include "scene/grid.h"
 #include "scene/load.h"
 #include "support/errors.h"
@@ -300,15 +301,6 @@ const Fault faults[] = {
     {"unknown_alpha_mode",
      [](GltfFile& f) { f.json["materials"][0]["alphaMode"] = "GLASS"; },
      {"materials[0].alphaMode", "GLASS"}},
-    {"camera_without_lens",
-     [](GltfFile& f) { f.json["cameras"][0].erase("perspective"); },
-     {"cameras[0].perspective", "missing"}},
-    {"camera_that_ends_before_it_begins",
-     [](GltfFile& f) { f.json["cameras"][0]["perspective"]["zfar"] = 0.01; },
-     {"cameras[0]"}},
-    {"field_of_view_of_four",
-     [](GltfFile& f) { f.json["cameras"][0]["perspective"]["yfov"] = 4; },
-     {"cameras[0].perspective.yfov"}},
     {"light_cones_reversed",
      [](GltfFile& f) {
        f.json["extensions"]["KHR_lights_punctual"]["lights"][0] = {
@@ -404,6 +396,33 @@ const Fault faults[] = {
 
 INSTANTIATE_TEST_SUITE_P(scenes, BadScene, ::testing::ValuesIn(faults),
                          [](const auto& fault) { return std::string(fault.param.name); });
+
+// What is wrong with a camera matters to those who look through it.
+TEST(bad_camera, is_refused_where_it_is_used) {
+  struct CameraFault {
+    std::function<void(json&)> make;
+    std::vector<std::string> message;
+  };
+  for (const CameraFault& fault : std::vector<CameraFault>{
+           {[](json& camera) { camera.erase("perspective"); },
+            {"cameras[0].perspective", "missing", "--eye"}},
+           {[](json& camera) { camera["perspective"]["zfar"] = 0.01; }, {"cameras[0]", "ends at"}},
+           {[](json& camera) { camera["perspective"]["yfov"] = 4; },
+            {"cameras[0].perspective.yfov", "4"}},
+           {[](json& camera) { camera = 5; }, {"cameras[0]"}},
+           {[](json& camera) {
+              camera = {{"type", "orthographic"},
+                        {"orthographic", {{"xmag", 0}, {"ymag", 1}, {"znear", 0}, {"zfar", 1}}}};
+            },
+            {"cameras[0].orthographic", "magnification"}}}) {
+    GltfFile file = sound();
+    fault.make(file.json["cameras"][0]);
+    const scene::Scene scene = scene::load(file.save());
+    EXPECT_NO_THROW(scene::default_camera(scene, 1.0f));
+    EXPECT_TRUE(
+        fails_with(ExitCode::input, fault.message, [&] { scene::find_camera(scene, "0"); }));
+  }
+}
 
 // Files that say little and ask for much work: they end, one way or the other, at once.
 TEST(laborious_scene, long_list_in_many_primitives) {

@@ -86,7 +86,7 @@ Index Geometry::decode(const tinygltf::Primitive& source, const std::string& nam
   const bool is_direction = name == "NORMAL" || name == "TANGENT";
   const bool has_zero = is_direction && normalise_vectors(stream);
   const Index result = add(std::move(stream));
-  if (has_zero && name == "NORMAL") zero_normals_.insert(result);
+  if (has_zero) (name == "NORMAL" ? zero_normals_ : zero_tangents_).insert(result);
   return result;
 }
 

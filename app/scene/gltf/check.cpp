@@ -5,7 +5,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
 #include <sstream>
+#include <string_view>
 
 namespace gg::scene::gltf {
 namespace {
@@ -104,6 +108,8 @@ private:
   }
 
   void range(double value, const Rule& rule, const std::string& place) const {
+    if (rule.high == factor && std::abs(value) > 1.0 + FLT_EPSILON && std::abs(value) <= factor)
+      note(fmt::format("{}: {} is {}; taken as {}", file_, place, value, value < 0.0 ? -1 : 1));
     if (!(value >= rule.low && value <= rule.high))
       fail(file_, place,
            rule.high >= largest_integer
@@ -132,23 +138,69 @@ private:
 };
 
 // Objects that say which of their members counts must have it.
-void check_kinds(const json& array, const std::string& name, const std::string& file) {
-  for (std::size_t i = 0; i < array.size(); ++i) {
-    const std::string& type = array[i]["type"].get_ref<const std::string&>();
-    const bool has_member = type == "perspective" || type == "orthographic" || type == "spot";
-    if (has_member && !array[i].contains(type))
-      fail(file, fmt::format("{}[{}].{}", name, i, type), "is missing");
-  }
+void check_kind(const json& object, const std::string& place, const std::string& file) {
+  const std::string& type = object["type"].get_ref<const std::string&>();
+  const bool has_member = type == "perspective" || type == "orthographic" || type == "spot";
+  if (has_member && !object.contains(type)) fail(file, place + "." + type, "is missing");
+}
+
+void check_camera(const json& camera, const std::string& place, const std::string& file) {
+  check_kind(camera, place, file);
+  const json& lens = camera[camera["type"].get_ref<const std::string&>()];
+  const double near = lens["znear"].get<double>();
+  const double far = lens.value("zfar", double{FLT_MAX}); // without one there is no end
+  if (lens.contains("xmag") && (lens["xmag"] == 0.0 || lens["ymag"] == 0.0))
+    fail(file, place + ".orthographic", "has a magnification of 0");
+  if (far <= near)
+    fail(file, place, fmt::format("ends at {} m, before it begins at {} m", far, near));
+}
+
+void check_material(const json& material, const std::string& place, const std::string& file) {
+  const json::json_pointer pointer("/extensions/KHR_materials_ior/ior");
+  if (!material.contains(pointer)) return;
+  const double ior = material[pointer].get<double>();
+  if (ior != 0.0 && ior < 1.0)
+    fail(file, place + ".extensions.KHR_materials_ior.ior",
+         fmt::format("is {}; it is at least 1, or 0 for 'always reflects'", ior));
+}
+
+using CheckOne = void (*)(const json&, const std::string&, const std::string&);
+
+void check_each(const json& root, const json::json_pointer& array, const std::string& name,
+                CheckOne check_one, const std::string& file) {
+  if (!root.contains(array)) return;
+  const json& entries = root[array];
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    check_one(entries[i], fmt::format("{}[{}]", name, i), file);
 }
 
 } // namespace
 
 void check(const nlohmann::json& json, const std::string& file) {
   Checker(json, file).object(json, schema(), "");
-  if (json.contains("cameras")) check_kinds(json["cameras"], "cameras", file);
-  const json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
-  if (json.contains(lights))
-    check_kinds(json[lights], "extensions.KHR_lights_punctual.lights", file);
+  const auto each = [&](const char* pointer, const char* name, CheckOne check_one) {
+    check_each(json, nlohmann::json::json_pointer(pointer), name, check_one, file);
+  };
+  each("/cameras", "cameras", check_camera);
+  each("/materials", "materials", check_material);
+  each("/extensions/KHR_lights_punctual/lights", "extensions.KHR_lights_punctual.lights",
+       check_kind);
+}
+
+std::optional<std::string> fault_of(const nlohmann::json& root, const char* array,
+                                    std::size_t index, const std::string& file) {
+  const std::string place = fmt::format("{}[{}]", array, index);
+  const auto rule = std::ranges::find_if(
+      schema(), [&](const Rule& r) { return std::string_view(r.key) == array; });
+  const nlohmann::json& entry = root[array][index];
+  try {
+    Checker(root, file).object(entry, rule->members, place);
+    std::string_view(array) == "cameras" ? check_camera(entry, place, file)
+                                         : check_material(entry, place, file);
+    return std::nullopt;
+  } catch (const Error& error) {
+    return error.what();
+  }
 }
 
 } // namespace gg::scene::gltf

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 
 namespace gg::scene::gltf {
@@ -12,5 +13,9 @@ namespace gg::scene::gltf {
 // Error(input) naming `file` and the place, such as "nodes[2].mesh". What it lets through, tinygltf
 // reads without a fault, and the code that follows need not check again.
 void check(const nlohmann::json& json, const std::string& file);
+
+// What check() would say of one entry of "materials" or "cameras"; nothing if it is sound.
+std::optional<std::string> fault_of(const nlohmann::json& root, const char* array,
+                                    std::size_t index, const std::string& file);
 
 } // namespace gg::scene::gltf

@@ -37,6 +37,7 @@ Document::Document(const std::filesystem::path& path) : container_(open_containe
   const auto& json = container_.json;
   if (!json.is_object() || !json.contains("asset"))
     fail(name(), "asset", "is missing: this is not a glTF 2.0 file");
+  camera_faults_ = mend(container_.json, name());
   check(json, name());
   if (const auto version = json["asset"]["version"].get<std::string>(); !version.starts_with("2."))
     fail_unsupported(name(), "asset.version", "is '" + version.substr(0, 20) + "'",
@@ -64,6 +65,11 @@ void Document::spend(std::size_t bytes, const std::string& place) {
   spent_ += bytes;
 }
 
+std::string Document::camera_fault(int camera) const {
+  const auto found = camera_faults_.find(camera);
+  return found == camera_faults_.end() ? std::string() : found->second;
+}
+
 std::span<const std::byte> Document::buffer(int buffer) {
   const std::string place = element("buffers", buffer);
   const auto& json = container_.json["buffers"][static_cast<std::size_t>(buffer)];
@@ -73,8 +79,7 @@ std::span<const std::byte> Document::buffer(int buffer) {
     auto found = buffers_.find(buffer);
     if (found == buffers_.end()) {
       const auto& uri = json["uri"].get_ref<const std::string&>();
-      found =
-          buffers_.emplace(buffer, fetch(uri, container_.directory, name(), place + ".uri")).first;
+      found = buffers_.emplace(buffer, fetch(uri, container_, place + ".uri")).first;
       read_ += found->second.size();
     }
     bytes = found->second;
@@ -129,9 +134,7 @@ std::span<const std::byte> Document::image(int index) {
   auto found = external_images_.find(index);
   if (found == external_images_.end()) {
     const auto& uri = json["uri"].get_ref<const std::string&>();
-    found =
-        external_images_.emplace(index, fetch(uri, container_.directory, name(), place + ".uri"))
-            .first;
+    found = external_images_.emplace(index, fetch(uri, container_, place + ".uri")).first;
   }
   return found->second;
 }

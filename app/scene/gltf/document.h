@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/gltf/container.h"
+#include "scene/gltf/mend.h"
 #include "scene/gltf/tiny.h"
 
 #include <map>
@@ -17,6 +18,9 @@ public:
 
   const tinygltf::Model& model() const { return model_; }
   const std::string& name() const { return container_.name; }
+
+  // What is wrong with a camera; empty if nothing. The model has a plain one in its place then.
+  std::string camera_fault(int camera) const;
 
   // The bytes of a buffer view, decompressed where EXT_meshopt_compression says so. Read (and
   // decompressed) when first asked for. Throws Error(input) if they are not there.
@@ -36,6 +40,7 @@ private:
                                    const std::string& place);
 
   Container container_;
+  CameraFaults camera_faults_;
   tinygltf::Model model_;
   std::map<int, std::vector<std::byte>> buffers_, decompressed_, external_images_;
   std::size_t spent_ = 0, read_ = 0;

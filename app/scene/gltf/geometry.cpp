@@ -142,6 +142,11 @@ void Geometry::complete_normals(const std::string& place, Primitive& p) {
 void Geometry::complete_tangents(const TangentFrame& frame, const std::string& place,
                                  Primitive& p) {
   const auto set = static_cast<std::size_t>(frame.uv_set);
+  if (p.tangents != none && zero_tangents_.contains(p.tangents)) {
+    note(document_.name() + ": " + place
+         + " has tangents of zero length; made anew from its texture coordinates");
+    p.tangents = none;
+  }
   if (p.tangents != none || set >= p.uvs.size() || p.uvs[set] == none) return;
   const Indices& indices = scene_.indices[static_cast<std::size_t>(p.indices)];
   document_.spend(indices.size() * sizeof(glm::vec4), place);

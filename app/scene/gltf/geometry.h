@@ -69,7 +69,7 @@ private:
   std::unordered_map<std::string, std::uint32_t> largest_index_;
   std::unordered_map<std::string, Primitive> primitives_;
   std::unordered_map<int, std::unique_ptr<DracoMesh>> draco_;
-  std::set<Index> zero_normals_; // streams that hold some
+  std::set<Index> zero_normals_, zero_tangents_; // streams that hold some
 };
 
 } // namespace gg::scene::gltf

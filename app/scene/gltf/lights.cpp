@@ -1,5 +1,6 @@
 #include "scene/gltf/lights.h"
 
+#include "scene/framing.h"
 #include "scene/gltf/fail.h"
 #include "scene/gltf/values.h"
 
@@ -24,17 +25,15 @@ glm::mat4 rigid(const glm::mat4& m) {
 
 Camera camera_of(const Document& document, int index) {
   const auto& source = document.model().cameras[static_cast<std::size_t>(index)];
-  const std::string place = element("cameras", index);
   Camera camera;
   camera.name = source.name;
+  camera.fault = document.camera_fault(index);
   camera.orthographic = source.type == "orthographic";
   if (camera.orthographic) {
     const auto& o = source.orthographic;
     camera.magnification = glm::abs(glm::vec2(o.xmag, o.ymag));
     camera.near = static_cast<float>(o.znear);
     camera.far = static_cast<float>(o.zfar);
-    if (camera.magnification.x == 0.0f || camera.magnification.y == 0.0f)
-      fail(document.name(), place + ".orthographic", "has a magnification of 0");
   } else {
     const auto& p = source.perspective;
     camera.fovy = static_cast<float>(p.yfov);
@@ -42,9 +41,6 @@ Camera camera_of(const Document& document, int index) {
     camera.far = static_cast<float>(p.zfar);
     if (p.aspectRatio > 0.0) camera.aspect = static_cast<float>(p.aspectRatio);
   }
-  if (camera.far != 0.0f && camera.far <= camera.near)
-    fail(document.name(), place,
-         fmt::format("ends at {} m, before it begins at {} m", camera.far, camera.near));
   return camera;
 }
 
@@ -61,9 +57,10 @@ Light light_of(const Document& document, int index, const glm::mat4& world) {
   if (light.kind == LightKind::spot) {
     light.inner_cone = static_cast<float>(source.spot.innerConeAngle);
     light.outer_cone = static_cast<float>(source.spot.outerConeAngle);
-    if (light.inner_cone >= light.outer_cone)
+    // Equal cones make a sharp edge; common exporters write them.
+    if (light.inner_cone > light.outer_cone)
       fail(document.name(), fmt::format("extensions.KHR_lights_punctual.lights[{}].spot", index),
-           "has an inner cone that is not inside the outer one");
+           "has an inner cone that is wider than the outer one");
   }
   light.position = world[3];
   light.direction = -glm::vec3(rigid(world)[2]);
@@ -78,6 +75,13 @@ void read_cameras(const Document& document, const Hierarchy& hierarchy, Scene& s
     if (source.camera < 0) continue;
     Camera camera = camera_of(document, source.camera);
     camera.world = rigid(world);
+    if (!camera.orthographic && camera.near == 0.0f) {
+      note(document.name() + ": " + element("cameras", source.camera)
+           + ".perspective.znear is 0; set by what the camera sees");
+      const float far = camera.far;
+      fit_depth(camera, scene);
+      camera.far = far;
+    }
     if (!source.name.empty()) camera.name = source.name;
     scene.cameras.push_back(std::move(camera));
   }

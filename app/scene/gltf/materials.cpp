@@ -3,8 +3,6 @@
 #include "scene/gltf/fail.h"
 #include "scene/gltf/values.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -110,6 +108,10 @@ Material read_material(const Document& document, int index) {
   m.metallic = unit(pbr.metallicFactor);
   m.roughness = unit(pbr.roughnessFactor);
   if (!source.emissiveFactor.empty()) m.emissive = vector_of<3>(source.emissiveFactor);
+  if (glm::any(glm::greaterThan(m.emissive, glm::vec3(1.0f))))
+    note(document.name() + ": " + element("materials", index)
+         + ".emissiveFactor is above 1, where KHR_materials_emissive_strength belongs; drawn as it "
+           "says");
   m.alpha_mode = source.alphaMode == "MASK"    ? AlphaMode::mask
                  : source.alphaMode == "BLEND" ? AlphaMode::blend
                                                : AlphaMode::opaque;
@@ -123,9 +125,6 @@ Material read_material(const Document& document, int index) {
   m.occlusion_map.scale = unit(source.occlusionTexture.strength);
   m.emissive_map = slot_of(source.emissiveTexture);
   read_extensions(source.extensions, m);
-  if (m.ior != 0.0f && m.ior < 1.0f)
-    fail(document.name(), element("materials", index) + ".extensions.KHR_materials_ior.ior",
-         fmt::format("is {}; it is at least 1, or 0 for 'always reflects'", m.ior));
   return m;
 }
 

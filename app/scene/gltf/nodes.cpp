@@ -18,8 +18,16 @@ glm::mat4 local_transform(const tinygltf::Node& node, const std::string& file,
   if (!node.matrix.empty()) {
     for (int i = 0; i < 16; ++i)
       m[i / 4][i % 4] = static_cast<float>(node.matrix[static_cast<std::size_t>(i)]);
-    if (m[0][3] != 0.0f || m[1][3] != 0.0f || m[2][3] != 0.0f || m[3][3] != 1.0f)
+    const glm::vec4 last(m[0][3], m[1][3], m[2][3], m[3][3]), affine(0, 0, 0, 1);
+    if (last == affine) return m;
+    // Products and inverses of matrices in floats end a few roundings away from it.
+    constexpr float rounding = 1e-5f;
+    if (glm::any(glm::greaterThan(glm::abs(last - affine), glm::vec4(rounding))))
       fail(file, place + ".matrix", "has a last row other than 0 0 0 1");
+    note(file + ": " + place
+         + ".matrix has a last row that is 0 0 0 1 but for rounding; taken as that");
+    for (int i = 0; i < 4; ++i)
+      m[i][3] = affine[i];
     return m;
   }
   if (!node.translation.empty()) m = glm::translate(m, vector_of<3>(node.translation));

@@ -26,6 +26,10 @@ enum class Kind {
 // The largest whole number that JSON passes on unharmed in every program: 2^53.
 inline constexpr double largest_integer = 9007199254740992.0;
 
+// Factors that the specification confines to 0..1 (components of quaternions to -1..1). Writers round, to 32-bit floats or to
+// a few decimals, so 1 may come back as 1.0000021 or 1.001: taken as 1, with a note. What reads them clamps.
+inline constexpr double factor = 1.001;
+
 struct Rule {
   const char* key;
   Kind kind;

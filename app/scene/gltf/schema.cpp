@@ -8,9 +8,7 @@ namespace {
 
 using enum Kind;
 
-// Factors that the specification confines to 0..1. Writers print 32-bit floats with 6 to 9 digits,
-// so 1 may come back as 1.000001; what reads them clamps.
-constexpr double one = 1.000001;
+constexpr double one = factor;
 constexpr double half_turn = 3.14159274, quarter_turn = 1.57079637; // as rounded to 32 bits
 constexpr double positive = FLT_MIN;
 
@@ -86,7 +84,7 @@ constexpr Rule material[] = {
     {.key = "normalTexture", .kind = object, .members = texture_info},
     {.key = "occlusionTexture", .kind = object, .members = texture_info},
     {.key = "emissiveTexture", .kind = object, .members = texture_info},
-    {.key = "emissiveFactor", .kind = numbers, .low = 0, .high = one, .size = 3},
+    {.key = "emissiveFactor", .kind = numbers, .low = 0, .size = 3},
     {.key = "alphaMode", .kind = choice, .target = "OPAQUE MASK BLEND"},
     {.key = "alphaCutoff", .kind = number, .low = 0},
     {.key = "doubleSided", .kind = boolean},
@@ -227,7 +225,7 @@ constexpr Rule sampler[] = {
 
 constexpr Rule perspective[] = {
     {.key = "yfov", .kind = number, .required = true, .low = positive, .high = half_turn},
-    {.key = "znear", .kind = number, .required = true, .low = positive},
+    {.key = "znear", .kind = number, .required = true, .low = 0},
     {.key = "zfar", .kind = number, .low = positive},
     {.key = "aspectRatio", .kind = number, .low = positive},
 };

@@ -1,0 +1,242 @@
+// Many mutants of every kind of file that the program reads: each is drawn or refused in words, within seconds and within a
+// bounded amount of memory. A mutant is told by its seed and its number, whatever was tried before it:
+//   GROUNDGLASS_CAMPAIGN_SEED=S GROUNDGLASS_CAMPAIGN_FIRST=N GROUNDGLASS_CAMPAIGN_COUNT=1 test_campaign
+#include "core/error.h"
+#include "core/files.h"
+#include "environment/map.h"
+#include "environment/stack.h"
+#include "frame/renderer.h"
+#include "robustness/damage.h"
+#include "robustness/samples.h"
+#include "scene/framing.h"
+#include "scene/load.h"
+#include "support/devices.h"
+#include "support/scratch.h"
+
+#include <gtest/gtest.h>
+#include <malloc.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+
+using namespace gg;
+using namespace gg::test;
+using nlohmann::json;
+
+extern "C" const char* __asan_default_options() {
+  return "allocator_may_return_null=1:detect_leaks=0";
+}
+
+namespace {
+
+std::atomic<std::size_t> live{0}, peak{0};
+
+void* counted(std::size_t size) {
+  void* const memory = std::malloc(size == 0 ? 1 : size);
+  if (memory == nullptr) throw std::bad_alloc();
+  const std::size_t now = live += ::malloc_usable_size(memory);
+  for (std::size_t most = peak; now > most && !peak.compare_exchange_weak(most, now);) {
+  }
+  return memory;
+}
+
+void uncount(void* memory) {
+  if (memory == nullptr) return;
+  live -= ::malloc_usable_size(memory);
+  std::free(memory);
+}
+
+} // namespace
+
+// What C++ code allocates, here and in the libraries (OpenEXR, Draco), is counted.
+void* operator new(std::size_t size) {
+  return counted(size);
+}
+void* operator new[](std::size_t size) {
+  return counted(size);
+}
+void operator delete(void* memory) noexcept {
+  uncount(memory);
+}
+void operator delete[](void* memory) noexcept {
+  uncount(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  uncount(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+  uncount(memory);
+}
+
+namespace {
+
+// What reading a file may take at its peak: 64 MiB and 256 times its size for what it unpacks to (document.cpp), twice
+// over while streams are copied, and what a picture of as many pixels as are accepted takes (image.h) where the
+// format cannot tell that so few bytes do not hold them.
+constexpr std::size_t memory_allowance = (std::size_t{2} << 30) + (std::size_t{128} << 20);
+constexpr std::size_t memory_per_byte = 512;
+
+struct Sample {
+  std::string name; // as the mutant's file is called
+  Bytes bytes;
+  bool is_environment = false;
+};
+
+std::vector<Sample> corpus() {
+  std::vector<Sample> samples;
+  const auto add_scene = [&](const std::string& name, const GltfFile& file) {
+    samples.push_back({name, read_file(file.save("whole-" + name)), false});
+  };
+  add_scene("rich.glb", rich());
+  samples.push_back({"rich.gltf", read_file(rich().save_text("whole.gltf")), false});
+  add_scene("png.glb", textured(written(".png"), "image/png"));
+  add_scene("jpeg.glb", textured(jpeg(false), "image/jpeg"));
+  add_scene("progressive.glb", textured(jpeg(true), "image/jpeg"));
+  add_scene("webp.glb", textured(webp(false), "image/webp"));
+  add_scene("lossless.glb", textured(webp(true), "image/webp"));
+  add_scene("ktx2.glb", textured(ktx2(), "image/ktx2"));
+  for (const char* extension : {".hdr", ".exr", ".pfm"}) {
+    const image::Image picture = sample(32, 16);
+    const std::filesystem::path path = scratch_directory() / (std::string("whole") + extension);
+    image::write(path, picture);
+    samples.push_back({std::string("environment") + extension, read_file(path), true});
+  }
+  for (const char* name : {"slabs-0.2.glb", "AnisotropyStrengthTest.glb", "TransmissionTest.glb"})
+    samples.push_back({name, read_file(asset(std::string("scenes/") + name)), false});
+  return samples;
+}
+
+// The JSON of a .glb with something else in it; the binary chunk stays.
+bool change_json(Bytes& bytes, std::mt19937& random) {
+  std::uint32_t length = 0;
+  if (bytes.size() < 20) return false;
+  std::memcpy(&length, bytes.data() + 12, 4);
+  if (bytes.size() < 20 + std::size_t{length}) return false;
+  const char* const text = reinterpret_cast<const char*>(bytes.data() + 20);
+  json root = json::parse(text, text + length, nullptr, false);
+  if (root.is_discarded()) return false;
+  for (auto changes = 1 + random() % 3; changes > 0; --changes) {
+    json& at = pick(root, random);
+    at = surprise(random, at);
+  }
+  const std::size_t binary_at = std::min(bytes.size(), 20 + std::size_t{length} + 8);
+  const std::string changed =
+      glb(root.dump(-1, ' ', false, json::error_handler_t::replace),
+          Bytes(bytes.begin() + static_cast<std::ptrdiff_t>(binary_at), bytes.end()));
+  bytes.resize(changed.size());
+  std::memcpy(bytes.data(), changed.data(), changed.size());
+  return true;
+}
+
+void mutate(Sample& sample, std::mt19937& random) {
+  const bool is_glb = sample.name.ends_with(".glb");
+  switch (random() % (is_glb ? 4 : 2)) {
+  case 0:
+    return damage(sample.bytes, random);
+  case 1:
+    return flip(sample.bytes, sample.bytes.size() / 3, random); // past the headers
+  default:
+    if (!change_json(sample.bytes, random)) damage(sample.bytes, random);
+  }
+}
+
+// Which mutant is being tried, for the handlers of signals.
+std::atomic<unsigned> current_seed{0}, current_mutant{0};
+
+void on_hang(int) {
+  char text[128];
+  const int length = std::snprintf(text, sizeof text, "campaign: mutant %u of seed %u hangs\n",
+                                   current_mutant.load(), current_seed.load());
+  (void)!::write(STDERR_FILENO, text, static_cast<std::size_t>(length));
+  std::abort();
+}
+
+unsigned from_environment(const char* name, unsigned otherwise) {
+  const char* const text = std::getenv(name);
+  return text ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : otherwise;
+}
+
+constexpr std::pair<gpu::Backend, gpu::Surface> backends[] = {
+    {gpu::Backend::opengl, gpu::Surface::egl}, {gpu::Backend::vulkan, gpu::Surface::automatic}};
+
+void expect_finite_picture(const scene::Scene& scene, const environment::Map& map) {
+  frame::FrameDesc desc{.width = 24, .height = 24, .samples = 1};
+  desc.camera = scene::default_camera(scene, 1.0f);
+  for (const scene::Camera& camera : scene.cameras)
+    if (camera.fault.empty()) desc.camera = camera;
+  for (const auto& [backend, surface] : backends) {
+    gpu::Device& device = shared_device(backend, surface);
+    const environment::Stack stack = environment::build(device, map);
+    desc.environment.stack = &stack;
+    frame::Renderer renderer(device, scene, desc);
+    renderer.draw();
+    EXPECT_FALSE(image::find_non_finite(renderer.read()).has_value())
+        << (backend == gpu::Backend::opengl ? "opengl" : "vulkan");
+  }
+}
+
+} // namespace
+
+TEST(campaign, every_mutant_is_drawn_or_refused_in_words) {
+  constexpr unsigned hang_seconds = 10, drawn_each = 10;
+  const unsigned seed = from_environment("GROUNDGLASS_CAMPAIGN_SEED", 20070625u);
+  const unsigned begin = from_environment("GROUNDGLASS_CAMPAIGN_FIRST", 0u);
+  const unsigned count =
+      from_environment("GROUNDGLASS_CAMPAIGN_COUNT", GROUNDGLASS_CAMPAIGN_MUTANTS);
+  std::signal(SIGALRM, on_hang);
+  const std::vector<Sample> samples = corpus();
+  const scene::Scene ball = scene::load(asset("scenes/slabs-0.2.glb"));
+  const environment::Map sky = environment::constant(glm::vec3(0.6f, 0.8f, 1.0f));
+  unsigned accepted = 0, drawn = 0;
+  double slowest = 0.0, most_memory = 0.0;
+  current_seed = seed;
+  for (unsigned i = begin; i < begin + count; ++i) {
+    current_mutant = i;
+    std::seed_seq both{seed, i};
+    std::mt19937 random(both);
+    Sample mutant = samples[random() % samples.size()];
+    mutate(mutant, random);
+    SCOPED_TRACE(mutant.name + ", mutant " + std::to_string(i) + " of seed "
+                 + std::to_string(seed));
+    const std::filesystem::path path = scratch_file(mutant.name, mutant.bytes);
+    const std::size_t before = live;
+    peak = before;
+    ::alarm(hang_seconds);
+    const auto start = std::chrono::steady_clock::now();
+    try {
+      scene::Scene scene;
+      std::optional<environment::Map> map;
+      if (mutant.is_environment)
+        map = environment::load(path);
+      else
+        scene = scene::load(path);
+      slowest = std::max(
+          slowest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      const std::size_t taken = peak - before;
+      most_memory = std::max(most_memory, static_cast<double>(taken) / (1 << 20));
+      EXPECT_LE(taken, memory_allowance + memory_per_byte * mutant.bytes.size());
+      if (accepted++ % drawn_each == 0) {
+        ::alarm(6 * hang_seconds); // compilers of shaders are at work too
+        ++drawn;
+        expect_finite_picture(map ? ball : scene, map ? *map : sky);
+      }
+    } catch (const Error& error) {
+      EXPECT_LE(peak - before, memory_allowance + memory_per_byte * mutant.bytes.size());
+      EXPECT_TRUE(error.code() == ExitCode::input || error.code() == ExitCode::unsupported)
+          << error.what();
+      EXPECT_NE(std::string(error.what()).find(mutant.name), std::string::npos) << error.what();
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what();
+    }
+    ::alarm(0);
+  }
+  std::printf("campaign: seed %u: %u mutants, %u accepted, %u drawn on both backends, slowest read "
+              "%.2f s, most memory %.0f MiB\n",
+              seed, count, accepted, drawn, slowest, most_memory);
+  EXPECT_GT(accepted, count / 20);
+}
