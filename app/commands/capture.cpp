@@ -10,6 +10,7 @@
 #include "frame/display.h"
 #include "frame/renderer.h"
 #include "image/image.h"
+#include "scene/origin.h"
 #include "scene/undrawn.h"
 
 #include <fmt/core.h>
@@ -125,7 +126,7 @@ void capture(const Options& o) {
   const NamedMethod& method = chosen.named;
 
   auto start = Clock::now();
-  const scene::Scene scene = load_scene(o.scene);
+  scene::Scene scene = load_scene(o.scene);
   const double load_ms = ms_since(start);
   for (const std::string& extension : scene::undrawn(scene))
     note(o.scene.scene + ": " + extension
@@ -137,6 +138,7 @@ void capture(const Options& o) {
                         .method = method.method,
                         .correlated_smith = o.method.smith == "correlated",
                         .multiple_scattering = o.method.multiscatter};
+  scene::move_origin_to(desc.camera, scene);
   const auto map = load_environment(o.scene, scene);
 
   const std::unique_ptr<gpu::Device> device = open_device(o.device);

@@ -4,6 +4,7 @@
 #include "needs/needs.h"
 #include "needs/words.h"
 #include "report/key.h"
+#include "scene/origin.h"
 
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
@@ -59,6 +60,7 @@ report::Subject subject_of(const SceneOptions& o, const std::string& smith, bool
                 auto loaded = std::make_unique<report::Loaded>();
                 loaded->scene = load_scene(o);
                 loaded->camera = choose_camera(o, loaded->scene, size);
+                scene::move_origin_to(loaded->camera, loaded->scene);
                 loaded->environment = load_environment(o, loaded->scene);
                 loaded->rotation = glm::radians(o.env_rotation);
                 loaded->intensity = o.env_intensity;

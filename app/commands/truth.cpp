@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/progress.h"
+#include "scene/origin.h"
 #include "truth/interrupt.h"
 #include "truth/render.h"
 
@@ -150,9 +151,10 @@ image::Exr halved(image::Exr picture) {
 void trace(const Options& o) {
   check(o);
   const Size size = parse_size(o.scene.size);
-  const scene::Scene scene = load_scene(o.scene);
-  const scene::Camera view = choose_camera(o.scene, scene, size);
+  scene::Scene scene = load_scene(o.scene);
+  scene::Camera view = choose_camera(o.scene, scene, size);
   const auto settings = settings_of(o, view);
+  scene::move_origin_to(view, scene);
   truth::Film film = film_of(o, settings, size);
 
   std::optional<truth::EnvironmentLight> environment;

@@ -215,6 +215,8 @@ Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes) {
     const scene::Instance& instance = *draws.instances[draw.instance_index];
     const int pairs = interior_pairs(draw, view, instance, shapes);
     set_value(draw.key, Feature::interior_pairs, pairs);
+    draw.planar = draw.role == Role::refractive && !draw.is_solid() && draw.both_sides
+                  && shapes.of(instance, draw.primitive->material).planar;
     if (!draw.is_solid() || view.method == Method::standard) continue;
     const scene::SolidShape& shape = shapes.of(instance, draw.body);
     draw.images = !draw.is_straight() && !(shape.flat && shape.convex);

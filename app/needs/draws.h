@@ -45,6 +45,7 @@ struct Draw {
   std::vector<Map> maps;
   std::size_t index_count = 0;
   bool mirrored = false, both_sides = false;
+  bool planar = false; // glass without thickness in one plane: of its two sides one is seen
   // Shaded by the pixels that show it, not by its triangles: glass whose first layer of the inside holds all that its shading takes
   // from the mesh (stages/refractive_region.frag), and opaque meshes so fine that it pays (stages/opaque_region.frag).
   bool by_pixel = false;

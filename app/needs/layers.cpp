@@ -36,7 +36,8 @@ std::vector<Item> items_of(const std::vector<Draw>& draws, const glm::dmat4& cli
         continue;
       }
     }
-    const bool two_sides = draw.role == Role::refractive && !solid && draw.both_sides;
+    const bool two_sides =
+        draw.role == Role::refractive && !solid && draw.both_sides && !draw.planar;
     Item item{
         {{&draw, two_sides ? Faces::back : Faces::as_material}}, box, draw.role == Role::blended};
     items.push_back(item);

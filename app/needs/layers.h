@@ -52,7 +52,7 @@ struct Layer {
 
 // Refractive and blended draws by layer, the farthest first. The parts of a solid (one instance, one
 // body) stay together. A thin wall that shows both sides is two things: its far side, then its
-// near one. `most` > 0 layers at most: what would need more goes into the last, each part in its
+// near one; unless it is planar. `most` > 0 layers at most: what would need more goes into the last, each part in its
 // order. Pure.
 std::vector<Layer> layers_of(const scene::Scene& scene, const Draws& draws,
                              const glm::dmat4& clip_from_world, std::size_t most);

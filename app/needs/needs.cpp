@@ -8,9 +8,10 @@
 namespace gg::needs {
 namespace {
 
-// Glass behind glass behind glass...: each layer takes a pyramid of its own. Past so many, surfaces
-// share the last one: they hide each other but do not show each other.
-constexpr std::size_t most_layers = 8;
+// Glass behind glass behind glass...: each layer takes a pyramid's time, not its memory. Past so many, surfaces
+// share the last one: they hide each other but do not show each other. What passes 32 panes of common glass is .92^32 of
+// the light, 7 %.
+constexpr std::size_t most_layers = 32;
 
 // Whether a thing's reflection shows what stands about it: metals, and what is glossy. A rough
 // dielectric reflects 4 % of a blur of half the world: its error without is below that.

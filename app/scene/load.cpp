@@ -159,6 +159,7 @@ Scene load(const std::filesystem::path& path) {
       apply_setting(*setting, extent_of(scene, i), scene.materials[static_cast<std::size_t>(i)]);
   compact(scene);
   scene.bounds = world_bounds(scene);
+  if (scene.instances.empty()) note(document.name() + ": has nothing in its scene to draw");
   if (!scene.bounds.empty() && !(scene.bounds.radius() <= largest_radius))
     fail(document.name(), "", fmt::format("the scene spans {} m", 2.0f * scene.bounds.radius()),
          "Check the scale of its nodes.");

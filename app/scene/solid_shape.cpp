@@ -117,6 +117,19 @@ bool is_convex(const WeldedMesh& mesh, const Edges& edges) {
   return !turns_inwards_somewhere(mesh, edges, coarse) && !sticks_out_somewhere(mesh, coarse);
 }
 
+bool is_planar(const WeldedMesh& mesh) {
+  glm::dvec3 normal(0.0), through(0.0); // of the largest triangle
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const glm::dvec3 from = mesh.points[a];
+    const glm::dvec3 n = glm::cross(mesh.points[b] - from, mesh.points[c] - from);
+    if (glm::dot(n, n) > glm::dot(normal, normal)) normal = n, through = from;
+  }
+  const double length = glm::length(normal);
+  return length > 0.0 && std::ranges::all_of(mesh.points, [&](const glm::dvec3& p) {
+           return std::abs(glm::dot(p - through, normal)) <= 1e-5 * mesh.size * length;
+         });
+}
+
 bool is_flat(const Scene& scene, std::span<const Primitive* const> parts) {
   for (const Primitive* part : parts) {
     const Stream& positions = stream_of(scene, part->positions);
@@ -142,6 +155,7 @@ SolidShape solid_shape(const Scene& scene, std::span<const Primitive* const> par
   const WeldedMesh mesh = weld(scene, parts);
   if (mesh.triangles.empty()) return shape;
   shape.flat = is_flat(scene, parts);
+  shape.planar = is_planar(mesh);
   const Edges edges = edges_of(mesh);
   shape.closed = std::ranges::none_of(edges, [](const auto& e) { return e.second.is_open(); });
   shape.convex = shape.closed && is_convex(mesh, edges);

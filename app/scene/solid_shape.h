@@ -16,6 +16,8 @@ struct SolidShape {
   bool convex = false;
   // The normals are those of the triangles: faces are planes.
   bool flat = false;
+  // All of it lies in one plane, to a hundred-thousandth of its size: what rounding to 16 bits leaves.
+  bool planar = false;
 };
 
 // Of all triangles of `parts` together, which must be of one mesh: the parts of an instance that

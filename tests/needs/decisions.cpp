@@ -259,6 +259,19 @@ TEST(needs, a_thin_wall_with_two_sides_is_two_things) {
   EXPECT_EQ(needs.layers[1].refractive[0].faces, needs::Faces::front);
 }
 
+TEST(needs, of_a_planar_wall_with_two_sides_one_is_seen) {
+  scene::Material wall = thin(glass(0.1f));
+  wall.double_sided = true;
+  scene::Scene scene = square(wall);
+  scene.instances[0].world = glm::rotate(glm::mat4(1.0f), 0.5f, glm::vec3(1, 2, 3));
+  for (int i = 1; i < 20; ++i)
+    add(scene, square(wall), at({0, 0, -0.1f * static_cast<float>(i)}));
+  const Needs needs = needs::needs_of(scene, view());
+  EXPECT_EQ(needs.layers.size(), 20u);
+  for (const needs::Layer& layer : needs.layers)
+    EXPECT_EQ(layer.refractive.at(0).faces, needs::Faces::as_material);
+}
+
 // The first layer of the inside is what is seen, unless a map or peers' way of shading asks for the mesh itself.
 // glTF's metallic factor is 1 unless a file says otherwise, and a map scales it: Khronos' TransmissionRoughnessTest is such glass.
 TEST(needs, glass_whose_map_takes_the_metal_away_is_refractive) {

@@ -116,6 +116,38 @@ TEST(tangents, of_coordinates_without_extent_are_perpendicular_to_the_normal) {
   }
 }
 
+TEST(tangents, of_zero_length_are_made_anew) {
+  GltfFile file;
+  const int positions = file.accessor<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, "VEC3");
+  const int normals = file.accessor<float>({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+  const int coordinates = file.accessor<float>({0, 1, 1, 1, 1, 0, 0, 0}, "VEC2");
+  const int tangents = file.accessor(std::vector<float>(16, 0.0f), "VEC4");
+  file.mesh({{"attributes",
+              {{"POSITION", positions},
+               {"NORMAL", normals},
+               {"TANGENT", tangents},
+               {"TEXCOORD_0", coordinates}}},
+             {"indices", file.accessor<std::uint8_t>({0, 1, 2, 0, 2, 3}, "SCALAR")},
+             {"material", with_normal_map(file)}});
+  testing::internal::CaptureStderr();
+  const auto scene = scene::load(file.save("zero-tangents.glb"));
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("tangents of zero length"),
+            std::string::npos);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(tangent_at(scene, i), glm::vec4(1, 0, 0, 1));
+}
+
+TEST(texture_coordinates, that_a_material_needs_and_the_mesh_lacks_are_named) {
+  GltfFile file;
+  file.triangle();
+  file.primitive()["material"] = with_normal_map(file);
+  file.json["materials"][0]["normalTexture"]["texCoord"] = 3;
+  testing::internal::CaptureStderr();
+  scene::load(file.save("no-coordinates.glb"));
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("TEXCOORD_3"), std::string::npos) << said;
+}
+
 TEST(tangents, are_made_only_where_a_material_needs_them) {
   GltfFile file;
   file.triangle();

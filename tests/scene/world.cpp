@@ -3,6 +3,7 @@
 #include "scene/framing.h"
 #include "scene/gltf_file.h"
 #include "scene/load.h"
+#include "scene/origin.h"
 #include "support/errors.h"
 #include "support/scratch.h"
 
@@ -211,6 +212,36 @@ TEST(cameras, stand_where_their_nodes_are_and_ignore_scale) {
     })) << wrong;
 }
 
+// The same place in the camera's frame, however far both are from the origin, where the file says it exactly: by its nodes, or
+// by its vertices.
+TEST(origin, far_from_it_nothing_is_lost) {
+  constexpr float far = 1048576.0f; // 2^20: floats of its size are 1/8 apart
+  for (const bool by_vertices : {false, true}) {
+    GltfFile file;
+    std::vector<float> triangle{0, 0, 0, 1, 0.25f, 0, 0, 1, 0.5f};
+    if (by_vertices)
+      for (std::size_t i = 0; i < triangle.size(); i += 3)
+        triangle[i] += far;
+    file.mesh({{"attributes", {{"POSITION", file.accessor(triangle, "VEC3")}}}});
+    file.json["nodes"][0]["rotation"] = about_z;
+    if (!by_vertices) file.json["nodes"][0]["translation"] = {0, far, 0};
+    auto scene = scene::load(file.save());
+    scene::Camera camera = scene::look_at(scene, {0, far, 4}, {0, far, 0}, {0, 1, 0}, 1.0f);
+    scene::move_origin_to(camera, scene);
+    EXPECT_EQ(camera.world[3], glm::vec4(0, 0, 0, 1));
+    const auto c = corners(scene, first(scene));
+    const glm::vec3 wanted[] = {{0, 0, -4}, {-.25f, 1, -4}, {-1, 0, -3.5f}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const glm::vec3 p(scene.instances[0].world * glm::vec4(c[i], 1));
+      EXPECT_LT(glm::length(p - wanted[i]), by_vertices ? 0.2f : rounding) << i;
+      // The rotation's own rounding times the distance is the same for all vertices: shapes stay.
+      const glm::vec3 q(scene.instances[0].world * glm::vec4(c[0], 1));
+      EXPECT_LT(glm::length((p - q) - (wanted[i] - wanted[0])), 3 * rounding) << i;
+    }
+    EXPECT_LT(glm::length(scene.bounds.centre()), 8.0f);
+  }
+}
+
 TEST(lights, are_read_with_their_place_and_direction) {
   GltfFile file;
   file.triangle();
@@ -259,6 +290,63 @@ TEST(framing, shows_the_whole_scene_and_little_else) {
       EXPECT_GT(widest, 0.8f) << name << aspect;
       EXPECT_LT(camera.far / camera.near, 2100.0f);
     }
+}
+
+scene::Scene boxed(const glm::vec3& half) {
+  scene::Scene scene;
+  scene.bounds.include(-half);
+  scene.bounds.include(half);
+  return scene;
+}
+
+TEST(framing, sees_a_flat_scene_from_its_broad_side) {
+  const auto back = [](const glm::vec3& half) {
+    return glm::vec3(scene::default_camera(boxed(half), 1.5f).world[2]);
+  };
+  EXPECT_EQ(back({1, 2, 0}), glm::vec3(0, 0, 1));
+  EXPECT_EQ(back({3, 0, 2}), glm::vec3(0, 1, 0));
+  EXPECT_EQ(back({0.01f, 1, 2}), glm::vec3(1, 0, 0));
+  EXPECT_EQ(back({1, 0.3f, 1}), glm::vec3(0, 0, 1)); // an object that lies is none
+  for (const glm::vec3 half : {glm::vec3(1, 2, 0), glm::vec3(3, 0, 2), glm::vec3(0, 1, 2)})
+    for (const float aspect : {0.1f, 1.0f, 10.0f}) {
+      const auto camera = scene::default_camera(boxed(half), aspect);
+      EXPECT_NEAR(glm::determinant(glm::mat3(camera.world)), 1.0f, rounding);
+      const glm::mat4 view = glm::inverse(camera.world);
+      float widest = 0.0f;
+      for (const glm::vec3 corner : {half, -half}) {
+        const glm::vec4 p = view * glm::vec4(corner, 1);
+        const float t = std::tan(camera.fovy / 2);
+        widest = std::max({widest, std::abs(p.y / p.z) / t, std::abs(p.x / p.z) / (t * aspect)});
+      }
+      EXPECT_LT(widest, 1.0f);
+      EXPECT_GT(widest, 0.8f);
+    }
+}
+
+// A triangle of a large scene that is close to the eye, facing it, aslant, or reaching past it.
+TEST(framing, near_plane_lies_before_what_the_camera_stands_before) {
+  const auto scene_with = [](const std::vector<float>& triangle) {
+    GltfFile file;
+    file.triangle();
+    file.json["nodes"][0]["scale"] = {700, 700, 700};
+    file.json["nodes"][0]["translation"] = {-300, -300, -300};
+    file.mesh({{"attributes", {{"POSITION", file.accessor(triangle, "VEC3")}}}});
+    return scene::load(file.save());
+  };
+  const auto near_of = [&](const std::vector<float>& triangle) {
+    return scene::look_at(scene_with(triangle), {0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 1.0f).near;
+  };
+  EXPECT_LT(near_of({0, 0, -.1f, .1f, 0, -.1f, 0, .1f, -.1f}), .1f);
+  EXPECT_GT(near_of({0, 0, -.1f, .1f, 0, -.1f, 0, .1f, -.1f}), .05f);
+  EXPECT_LT(near_of({0, 0, -.05f, .1f, 0, -.3f, 0, .1f, -.3f}), .05f);
+  // A floor under the eye, .1 m down, that is seen from .1 m / tan 30 degrees on.
+  const float floor = near_of({-5, -.1f, 5, 5, -.1f, 5, 0, -.1f, -5});
+  EXPECT_LT(floor, .1f / std::tan(.5f));
+  EXPECT_GT(floor, .01f);
+  // Behind the eye is nothing that is seen.
+  EXPECT_GT(near_of({0, 0, .1f, .1f, 0, .1f, 0, .1f, .1f}), .3f);
+  // What the eye touches leaves the near plane a place.
+  EXPECT_GT(near_of({-1, 0, 1, 1, 0, 1, 0, 0, -1}), 0.0f);
 }
 
 TEST(framing, of_an_empty_scene_looks_at_the_origin) {

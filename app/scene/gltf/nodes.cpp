@@ -103,6 +103,11 @@ Hierarchy::Hierarchy(const Document& document) {
   check_no_ring(document, reached);
 
   std::vector<int> roots;
+  if (model.scenes.empty())
+    note(document.name() + ": has no scene; everything in it is drawn");
+  else if (model.scenes.size() > 1 && model.defaultScene < 0)
+    note(fmt::format("{}: has {} scenes and does not say which to show; the first is drawn",
+                     document.name(), model.scenes.size()));
   if (!model.scenes.empty())
     roots = model.scenes[static_cast<std::size_t>(std::max(model.defaultScene, 0))].nodes;
   else
