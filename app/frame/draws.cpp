@@ -75,6 +75,22 @@ Recorded Draws::recorded(const DrawPass& pass, const needs::LayerDraw& draw) {
   return {draw.draw, pipeline(pass, *draw.draw), cull_of(draw)};
 }
 
+Records Draws::covers(const std::vector<needs::LayerDraw>& draws) {
+  const DrawPass pass{.label = "covers",
+                      .fragment = "foreground.frag",
+                      .colors = {gpu::Format::rgba32f},
+                      .blend = gpu::Blend::over};
+  Records records;
+  for (const needs::LayerDraw& draw : draws) {
+    if (!draw.draw->fills_depth) continue;
+    needs::Draw masked = *draw.draw; // its cutoff is glTF's default, a half
+    needs::set_value(masked.key, needs::Feature::alpha_mode,
+                     static_cast<int>(scene::AlphaMode::mask));
+    records.push_back({draw.draw, pipeline(pass, masked), cull_of(draw)});
+  }
+  return records;
+}
+
 void Draws::bind(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
                  const needs::Draw& draw) const {
   const UniformArray& materials = uploaded_.materials();

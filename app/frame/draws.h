@@ -54,6 +54,10 @@ public:
   gpu::PipelineRef pipeline(const DrawPass& pass, const needs::Draw& draw);
   Recorded recorded(const DrawPass& pass, const needs::LayerDraw& draw);
 
+  // Leaves the depth of blended surfaces where their alpha is a half or more, and no colour: rays through the glass before
+  // them meet what is mostly there. Of those of `draws` that have such places.
+  Records covers(const std::vector<needs::LayerDraw>& draws);
+
   // Binds the draw's geometry, instance, material, textures and tables and draws it; the pass has bound Frame, Lights and the
   // environment.
   void record(gpu::Encoder& encoder, const Recorded& recorded) const;

@@ -89,7 +89,7 @@ bool holds_something(const Draw& solid, const std::vector<Draw>& draws) {
     const bool within = other.images && !same_body(solid, other)
                         && glm::all(glm::greaterThan(other.bounds.low, solid.bounds.low))
                         && glm::all(glm::lessThan(other.bounds.high, solid.bounds.high));
-    return (other.role == Role::opaque || within)
+    return (other.role == Role::opaque || other.fills_depth || within)
            && glm::all(glm::greaterThan(other.bounds.high, solid.bounds.low + least))
            && glm::all(glm::lessThan(other.bounds.low, solid.bounds.high - least));
   });
@@ -209,6 +209,7 @@ Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes) {
       draw.index_count = scene.indices[static_cast<std::size_t>(primitive.indices)].size();
       draw.mirrored = instance.mirrored;
       draw.both_sides = material.double_sided;
+      draw.fills_depth = draw.role == Role::blended && material.base_color.a >= 0.5f;
     }
   let_leave_by_rough_faces(draws.all, view);
   for (Draw& draw : draws.all) {

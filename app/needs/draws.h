@@ -45,6 +45,8 @@ struct Draw {
   std::vector<Map> maps;
   std::size_t index_count = 0;
   bool mirrored = false, both_sides = false;
+  // Blended and, unless a map says otherwise, more there than not: what looks for what stands behind glass finds it.
+  bool fills_depth = false;
   bool planar = false; // glass without thickness in one plane: of its two sides one is seen
   // Shaded by the pixels that show it, not by its triangles: glass whose first layer of the inside holds all that its shading takes
   // from the mesh (stages/refractive_region.frag), and opaque meshes so fine that it pays (stages/opaque_region.frag).

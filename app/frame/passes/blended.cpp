@@ -1,6 +1,9 @@
 // Blended surfaces over opaque ones that are shaded after the opaque pass.
 #include "frame/passes/passes.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace gg::frame {
 
 void declare_blended(Graph& graph, const needs::Needs& needs) {
@@ -14,6 +17,9 @@ void declare_blended(Graph& graph, const needs::Needs& needs) {
     Records records;
     for (const needs::LayerDraw& draw : context.needs.over_opaque)
       records.push_back(context.draws.recorded(pass, draw));
+    if (!context.needs.layers.empty())
+      std::ranges::copy(context.draws.covers(context.needs.over_opaque),
+                        std::back_inserter(records));
     return [&context, records](gpu::Encoder& encoder) { context.draws.record(encoder, records); };
   };
   graph.passes.push_back({.label = "blended",

@@ -1,6 +1,9 @@
 // What hides what is behind it, the sky, and blended surfaces that lie over these alone.
 #include "frame/passes/passes.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace gg::frame {
 
 void declare_opaque(Graph& graph, const needs::Needs& needs) {
@@ -18,6 +21,8 @@ void declare_opaque(Graph& graph, const needs::Needs& needs) {
     if (with_blended)
       for (const needs::LayerDraw& draw : context.needs.over_opaque)
         over.push_back(context.draws.recorded(blended, draw));
+    if (with_blended && !context.needs.layers.empty())
+      std::ranges::copy(context.draws.covers(context.needs.over_opaque), std::back_inserter(over));
     gpu::PipelineRef sky;
     if (context.needs.sky)
       sky = context.fullscreen({.label = "sky",

@@ -57,10 +57,11 @@ Light light_of(const Document& document, int index, const glm::mat4& world) {
   if (light.kind == LightKind::spot) {
     light.inner_cone = static_cast<float>(source.spot.innerConeAngle);
     light.outer_cone = static_cast<float>(source.spot.outerConeAngle);
-    // Equal cones make a sharp edge; common exporters write them.
+    const std::string place = fmt::format("extensions.KHR_lights_punctual.lights[{}].spot", index);
+    if (light.inner_cone == light.outer_cone)
+      note(document.name() + ": " + place + " has equal cones; its edge is sharp");
     if (light.inner_cone > light.outer_cone)
-      fail(document.name(), fmt::format("extensions.KHR_lights_punctual.lights[{}].spot", index),
-           "has an inner cone that is wider than the outer one");
+      fail(document.name(), place, "has an inner cone that is wider than the outer one");
   }
   light.position = world[3];
   light.direction = -glm::vec3(rigid(world)[2]);
