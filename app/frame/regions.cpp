@@ -14,9 +14,11 @@ double material_depth(std::size_t n) {
 }
 
 // Samples lie up to half a pixel off.
-uniforms::RegionData block_of(const needs::ScreenBox& box, const needs::View& view, double depth) {
-  const glm::dvec2 pixel(2.0 / view.width, 2.0 / view.height);
-  return {glm::vec4(box.low - pixel, box.high + pixel), glm::vec4(glm::dvec4(depth))};
+uniforms::RegionData block_of(const needs::ScreenBox& box, const needs::View& view, double depth,
+                              int step = 1) {
+  const double margin = step == 1 ? 1.0 : 2.0 * step; // the picture may end within a fragment
+  const glm::dvec2 pixel(2.0 * margin / view.width, 2.0 * margin / view.height);
+  return {glm::vec4(box.low - pixel, box.high + pixel), glm::vec4(depth, step, 0.0, 0.0)};
 }
 
 } // namespace
@@ -34,16 +36,18 @@ std::vector<uniforms::RegionData> region_blocks(const needs::Needs& needs) {
   // At a solid's far end: the depth test passes where something is nearer, which its front faces have just drawn.
   for (const needs::Layer& layer : needs.layers)
     for (const needs::Region& region : layer.regions)
-      blocks.push_back(
-          block_of(region.box, needs.view, region.box.farthest_depth * (1.0 - depth_rounding)));
+      for (const int step : {1, glass_step})
+        blocks.push_back(block_of(region.box, needs.view,
+                                  region.box.farthest_depth * (1.0 - depth_rounding), step));
   return blocks;
 }
 
-std::size_t layer_region(const needs::Needs& needs, std::size_t layer, std::size_t region) {
+std::size_t layer_region(const needs::Needs& needs, std::size_t layer, std::size_t region,
+                         bool low_rate) {
   std::size_t at = needs.opaque_regions.empty() ? 0 : needs.opaque_regions.size() + 1;
   for (std::size_t l = 0; l < layer; ++l)
-    at += needs.layers[l].regions.size();
-  return at + region;
+    at += 2 * needs.layers[l].regions.size();
+  return at + 2 * region + (low_rate ? 1 : 0);
 }
 
 } // namespace gg::frame

@@ -11,6 +11,8 @@
 
 namespace gg::frame {
 
+inline constexpr int glass_step = 4;
+
 std::vector<uniforms::RegionData> region_blocks(const needs::Needs& needs);
 
 // Where they are in that list.
@@ -20,6 +22,8 @@ inline std::size_t opaque_region(std::size_t region) {
 inline std::size_t all_opaque_regions(const needs::Needs& needs) {
   return needs.opaque_regions.size();
 }
-std::size_t layer_region(const needs::Needs& needs, std::size_t layer, std::size_t region);
+// At every pixel, or at one in glass_step x glass_step.
+std::size_t layer_region(const needs::Needs& needs, std::size_t layer, std::size_t region,
+                         bool low_rate = false);
 
 } // namespace gg::frame

@@ -7,55 +7,88 @@
 
 vec3 absorbed(float metres) { return attenuates ? exp(-metres * material.attenuation.xyz) : vec3(1.0); }
 
-// Through both faces of a solid, or of a plate whose thickness is given.
-GlassBeams throughTwoFaces(Surface s, float ior) {
+// How the light of a surface of a solid goes on inside.
+InnerPath followInside(Surface s, float ior) {
     float entered = faceEnergy(dot(s.n, s.wo), s.alpha, ior).transmitted;
     InnerTap core = enteringTap(0, s, ior, entered);
-    Widening k = widening();
-    InnerPath p = followInside(s, core, entered, 1.0 / ior, k);
-    vec3 absorption = absorbed(p.path);
+    return followReflections(s, firstArrival(s, core, entered, 1.0 / ior), 1.0 / ior, widening());
+}
 
+// What leaves by the first face that the light comes to.
+GlassBeams composedBeams(Surface s, float ior, InnerPath p) {
+    float entered = p.first.ray.weight;
+    InnerTap core = enteringTap(0, s, ior, entered);
+    Widening k = widening();
+    vec3 absorption = absorbed(p.first.run);
     GlassBeams beams;
     beams.within = -1.0;
-    beams.leaving = p.first;
+    beams.leaving = p.first.face;
     beams.inner = core.direction;
-    beams.rest = noBeam(p.point, s.n);
-    beams.bounced = noBeam(p.lastPoint, s.n);
+    beams.rest = noBeam(p.first.point, s.n);
+    beams.bounced = noBeam(p.last.point, s.n);
+    beams.leftOver = beams.bounced;
     if (entryTaps == 1) {
-        beams.core = weighted(leavingTap(core, p.first, k), p.point, p.path, absorption);
+        beams.core = weighted(leavingTap(core, p.first.face, k), p.first.point, p.first.run, absorption);
     } else {
         InnerTap tail = enteringTap(1, s, ior, entered);
         vec3 apart = tail.direction - core.direction;
-        ComposedPair pair = fetchComposedPair(interfaceEnergyTable, interfaceLobeTable, core, p.first, tail,
-                                              exitBeside(p.first, core.direction, apart), k);
-        beams.core = weighted(pair.core, p.point, p.path, absorption);
+        ComposedPair pair = fetchComposedPair(interfaceEnergyTable, interfaceLobeTable, core, p.first.face, tail,
+                                              exitBeside(p.first.face, core.direction, apart), k);
+        beams.core = weighted(pair.core, p.first.point, p.first.run, absorption);
         // The tail leaves beside the core: as far as it ran apart inside, along the face.
-        vec3 beside = p.path * apart;
-        beside -= dot(beside, p.first.n) * p.first.n;
-        beams.rest = weighted(pair.rest, p.point + beside, p.path, absorption);
-    }
-    if (interiorPairs > 0) {
-        ComposedTap tap = leavingTap(p.ray, p.last, k);
-        if (!p.bounced) tap.weight = 0.0;
-        beams.bounced = weighted(tap, p.lastPoint, p.lastPath, absorbed(p.lastPath));
-    }
-    // What is left runs about as far again from face to face as it did to come to the last.
-    vec3 way = absorbed(p.lastPath);
-    beams.leftOver.beam = straightBeam(p.leftPoint, p.leftDirection, p.leftSigma);
-    beams.leftOver.weight = way * (p.left * wanderingEscapes(p.leaves, way) + p.passedBetween);
-
-    if (holdsOpaque) {
-        Meeting inside = meetBackdrop(s.position, core.direction, core.sigma, true);
-        if (inside.seen && !inside.hidden && inside.distance >= 0.0 && inside.distance < p.path) {
-            beams.core.beam = straightBeam(s.position, core.direction, core.sigma);
-            beams.core.weight = entered * absorbed(inside.distance);
-            beams.rest.weight = vec3(0.0);
-            beams.bounced.weight = vec3(0.0);
-            beams.leftOver.weight = vec3(0.0);
-            beams.within = inside.distance;
-        }
+        vec3 beside = p.first.run * apart;
+        beside -= dot(beside, p.first.face.n) * p.first.face.n;
+        beams.rest = weighted(pair.rest, p.first.point + beside, p.first.run, absorption);
     }
     return beams;
+}
+
+// What leaves by the last face, after total reflections.
+WeightedBeam reflectedInsideBeam(InnerPath p) {
+    ComposedTap tap = leavingTap(p.last.ray, p.last.face, widening());
+    if (!p.bounced) tap.weight = 0.0;
+    return weighted(tap, p.last.point, p.last.run, absorbed(p.last.run));
+}
+
+WeightedBeam residualBeam(Surface s, float ior, InnerPath p) {
+    Residual r = residualOf(s, p, 1.0 / ior, widening());
+    // What is left runs about as far again from face to face as it did to come to the last.
+    vec3 way = absorbed(p.last.run);
+    WeightedBeam w;
+    w.beam = straightBeam(r.point, r.direction, r.sigma);
+    w.weight = way * (r.energy * wanderingEscapes(r.leaves, way) + p.passedBetween);
+    return w;
+}
+
+// Metres to something opaque inside that ends the light that came in as `core`; negative: nothing does.
+float endsInside(Surface s, InnerTap core, float run) {
+    Meeting inside = meetBackdrop(s.position, core.direction, core.sigma, true);
+    bool ends = inside.seen && !inside.hidden && inside.distance >= 0.0 && inside.distance < run;
+    return ends ? inside.distance : -1.0;
+}
+
+// All that is seen then is what the light ends at.
+GlassBeams beamsEndingInside(GlassBeams beams, Surface s, InnerTap core, float entered, float within) {
+    if (within < 0.0) return beams;
+    GlassBeams ended = beams;
+    ended.core.beam = straightBeam(s.position, core.direction, core.sigma);
+    ended.core.weight = entered * absorbed(within);
+    ended.rest.weight = vec3(0.0);
+    ended.bounced.weight = vec3(0.0);
+    ended.leftOver.weight = vec3(0.0);
+    ended.within = within;
+    return ended;
+}
+
+// Through both faces of a solid, or of a plate whose thickness is given.
+GlassBeams throughTwoFaces(Surface s, float ior) {
+    InnerPath p = followInside(s, ior);
+    GlassBeams beams = composedBeams(s, ior, p);
+    if (interiorPairs > 0) beams.bounced = reflectedInsideBeam(p);
+    beams.leftOver = residualBeam(s, ior, p);
+    if (!holdsOpaque) return beams;
+    InnerTap core = enteringTap(0, s, ior, p.first.ray.weight);
+    return beamsEndingInside(beams, s, core, p.first.ray.weight, endsInside(s, core, p.first.run));
 }
 
 // Out of the solid that the camera stands in. Radiance grows by the square of the index ratio (transmission.glsl). What is
@@ -105,6 +138,6 @@ vec3 throughStandard(Surface s, float ior) {
 vec3 throughNothing() {
     float inside = 0.0;
     if (attenuates && interiorPairs > 0)
-        inside = interiorThickness(interior, interiorCamera(), ivec2(gl_FragCoord.xy), objectId());
-    return absorbed(inside) * texelFetch(screenPyramid, ivec2(gl_FragCoord.xy), 0).xyz;
+        inside = interiorThickness(interior, interiorCamera(), picturePixel(), objectId());
+    return absorbed(inside) * texelFetch(screenPyramid, picturePixel(), 0).xyz;
 }

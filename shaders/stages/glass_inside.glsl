@@ -6,6 +6,7 @@
 //          A spread of rays changes what passes. What facets hide of what they scatter, single scattering loses: the face's own.
 #include "refraction/exit_search_fetch.glsl"
 #include "refraction/wandering.glsl"
+#include "stages/picture_pixel.glsl"
 
 layout(binding = 26) uniform usampler2DArray interior; // stages/interior.frag
 
@@ -48,122 +49,167 @@ float meshUnit() {
 
 WanderingLoss wanderingLoss() { return distribution == 0 ? wanderingLossGgx() : wanderingLossBeckmann(); }
 
+// Light inside where it comes to a face.
+struct InnerArrival {
+    InnerTap ray;
+    ExitSurface face;
+    vec3 point;
+    float run;     // metres since it came in
+    float segment; // of these, since the face before
+};
+
+// What the face makes of it.
+struct FaceSplit {
+    float passes;     // share of the light
+    float kept;       // with what is reflected; single scattering loses the rest
+    float reflected;  // energy
+    vec3 direction;   // of that
+    float sigma;
+};
+
+FaceSplit splitAt(InnerArrival a, float invIor, Widening k) {
+    ExitView seen = seeExit(a.ray, true, a.face, k);
+    float cosTheta = max(seen.cosTheta, 0.0);
+    FaceSplit split;
+    split.kept = keptByFace(faceEnergy(cosTheta, a.face.alpha, invIor));
+    split.passes = min(faceEnergy(cosTheta, seen.alphaEnergy, invIor).transmitted, split.kept);
+    split.reflected = a.ray.weight * (split.kept - split.passes);
+    split.direction = reflect(a.ray.direction, a.face.n);
+    split.sigma = reflectedSpread(a.ray.sigma, a.face, seen.cosTheta, k.shape);
+    return split;
+}
+
+// Where the light that entered first comes to a face. Of a mesh that has no far side, a plate whose thickness is given, that is
+// the other face.
+InnerArrival firstArrival(Surface s, InnerTap core, float entered, float invIor) {
+    InnerArrival a;
+    a.ray = core;
+    a.ray.weight = entered;
+    float across = surfaceThickness() * meshUnit();
+    a.run = across / max(-dot(core.direction, s.n), 0.05); // a ray along the plate leaves it after 20 thicknesses
+    a.point = s.position + a.run * core.direction;
+    a.face.n = -s.n;
+    a.face.alpha = s.alpha;
+    a.face.eta = invIor;
+    a.face.turn = vec2(0.0);
+    if (interiorPairs > 0) {
+        InteriorView view = interiorCamera();
+        float guess = interiorThickness(interior, view, picturePixel(), objectId());
+        ExitHit hit = findExit(interior, view, interiorPairs, objectId(), s.position, core.direction, guess, false);
+        if (hit.found > 0.0) {
+            a.run = hit.distance;
+            a.face.n = hit.n;
+            a.face.alpha = hit.alpha;
+            a.face.turn = exitTurn(dot(core.direction, hit.n), a.run, hit.curvature);
+            a.point = hit.point;
+        }
+    }
+    a.segment = a.run;
+    return a;
+}
+
+// Followed where most of the light is: beyond the critical angle, and as long as a way can be told.
+bool goesOn(InnerArrival a, FaceSplit split) {
+    bool most = split.reflected >= 0.5 * a.ray.weight;
+    return most && (interiorPairs > 1 || split.sigma <= LEFT_OVER_SIGMA);
+}
+
+// To the face after: a.segment is negative where there is none. `across`: metres through the wall at s, for walls thinner than the
+// search resolves, whose next face is the one that the light came in by.
+InnerArrival nextArrival(Surface s, InnerArrival a, FaceSplit split, float across) {
+    InnerArrival next = a;
+    next.ray.direction = split.direction;
+    next.ray.sigma = split.sigma;
+    next.ray.weight = split.reflected;
+    InteriorView view = interiorCamera();
+    float guess = interiorThickness(interior, view, picturePixel(), objectId());
+    ExitHit hit = findExit(interior, view, interiorPairs, objectId(), a.point, split.direction, guess, true);
+    if (hit.found > 0.0) {
+        next.segment = hit.distance;
+        next.face.n = hit.n;
+        next.face.alpha = hit.alpha;
+        next.face.turn = seenBySpread(exitTurn(dot(split.direction, hit.n), a.run + hit.distance, hit.curvature), split.sigma);
+        next.point = hit.point;
+    } else {
+        float back = dot(split.direction, s.n);
+        next.segment = back > 0.0 ? across / back : -1.0;
+        next.face.n = s.n;
+        next.face.alpha = s.alpha;
+        next.face.turn = vec2(0.0);
+        next.point = a.point + next.segment * split.direction;
+    }
+    next.run = a.run + next.segment;
+    return next;
+}
+
 // How the light inside comes to the face that it leaves by.
 struct InnerPath {
-    ExitSurface first;   // where the ray first comes to a face
-    vec3 point;
-    float path;          // metres
-    ExitSurface last;    // after total reflections; the first again if there was none
-    InnerTap ray;        // that comes there
-    vec3 lastPoint;
-    float lastPath;
+    InnerArrival first;
+    InnerArrival last;   // after total reflections; the first again if there was none
     bool bounced;
-    vec3 leftPoint;      // where what is thrown back there is looked for, outside
-    vec3 leftDirection;
-    float leftSigma;
-    float left;          // its energy
-    Wandering leaves;    // what becomes of that at each face that it comes to
     float passedBetween; // energy that passed the faces beyond which the light was followed
 };
 
-InnerPath followInside(Surface s, InnerTap core, float entered, float invIor, Widening k) {
+// On from the first face, by total reflections.
+InnerPath followReflections(Surface s, InnerArrival first, float invIor, Widening k) {
     InnerPath p;
-    // A plate: the other face of a mesh that has no far side, whose thickness is given.
-    float across = surfaceThickness() * meshUnit();
-    p.path = across / max(-dot(core.direction, s.n), 0.05); // a ray along the plate leaves it after 20 thicknesses
-    p.point = s.position + p.path * core.direction;
-    p.first.n = -s.n;
-    p.first.alpha = s.alpha;
-    p.first.eta = invIor;
-    p.first.turn = vec2(0.0);
-    p.ray = core;
-    p.ray.weight = entered;
+    p.first = first;
+    p.last = first;
     p.bounced = false;
-    p.last = p.first;
-    p.lastPoint = p.point;
-    p.lastPath = p.path;
     p.passedBetween = 0.0;
-
-    InteriorView view = interiorCamera();
-    float guess = interiorPairs > 0 ? interiorThickness(interior, view, ivec2(gl_FragCoord.xy), objectId()) : 0.0;
-    vec3 from = s.position;
-    float run = 0.0;
-    for (int bounce = 0; bounce <= followed; ++bounce) {
-        if (interiorPairs > 0) {
-            ExitHit hit = findExit(interior, view, interiorPairs, objectId(), from, p.ray.direction, guess, bounce > 0);
-            if (hit.found > 0.0) {
-                run += hit.distance;
-                p.last.n = hit.n;
-                p.last.alpha = hit.alpha;
-                p.last.turn = exitTurn(dot(p.ray.direction, hit.n), run, hit.curvature);
-                if (bounce > 0) p.last.turn = seenBySpread(p.last.turn, p.ray.sigma);
-                p.lastPoint = hit.point;
-                p.lastPath = run;
-                if (bounce == 0) {
-                    p.first = p.last;
-                    p.point = p.lastPoint;
-                    p.path = run;
-                }
-                p.bounced = bounce > 0;
-            } else if (bounce > 0) {
-                // Of a wall thinner than the search resolves it is the face that the light came in by.
-                float back = dot(p.ray.direction, s.n);
-                if (!(back > 0.0)) break;
-                float across = p.path * max(-dot(core.direction, s.n), 0.0) / back;
-                run += across;
-                p.last.n = s.n;
-                p.last.alpha = s.alpha;
-                p.last.turn = vec2(0.0);
-                p.lastPoint = from + across * p.ray.direction;
-                p.lastPath = run;
-                p.bounced = true;
-            }
-        }
-        ExitView seen = seeExit(p.ray, true, p.last, k);
-        float cosTheta = max(seen.cosTheta, 0.0);
-        float kept = keptByFace(faceEnergy(cosTheta, p.last.alpha, invIor));
-        float passes = min(faceEnergy(cosTheta, seen.alphaEnergy, invIor).transmitted, kept);
-        float thrownBack = p.ray.weight * (kept - passes);
-        float spread = reflectedSpread(p.ray.sigma, p.last, seen.cosTheta, k.shape);
-        vec3 reflected = reflect(p.ray.direction, p.last.n);
-        // Beyond the critical angle and in bodies that are not convex it wanders: of all guesses, what is behind a convex body is
-        // nearest to brute force.
-        p.left = thrownBack;
-        p.leaves = wanderingAt(p.last.alpha, 1.0 / invIor, wanderingLoss());
-        if (losesItsWay) p.leaves = wanderingConcave(p.leaves, MEETS_AGAIN);
-        p.leftPoint = p.lastPoint;
-        p.leftDirection = -s.wo;
-        p.leftSigma = max(spread, LEFT_OVER_SIGMA);
-        bool isFlat = p.last.turn == vec2(0.0);
-        if (interiorPairs < 2 && (thrownBack < 0.5 * p.ray.weight || spread > LEFT_OVER_SIGMA)) {
-            // Else what a convex body throws back leaves by its near face: of a plate that is the one that is seen, of a curved body the
-            // one that the sphere with the same chord has there.
-            vec3 near = isFlat ? s.n : normalize(p.last.n + 2.0 * dot(p.ray.direction, p.last.n) * reflected);
-            vec3 outward = refractAbout(-reflected, -near, invIor);
-            // Of what is too wide for a hemisphere so much is pushed from the face towards its normal.
-            float wide = spread / invIor; // small angles grow by the index there
-            float folded = max(1.0 - HEMISPHERE_SIGMA / max(wide, HEMISPHERE_SIGMA), 0.0);
-            bool refracted = dot(outward, near) > 0.0;
-            if (refracted || spread > LEFT_OVER_SIGMA) {
-                // Again and again, each time with the same shares. A smooth face loses nothing: below a hundredth it is the
-                // table's rounding.
-                p.leaves.passes = passes;
-                p.leaves.back = min(kept + 0.01, 1.0) - passes;
-                vec3 along = reflected - dot(reflected, near) * near;
-                if (!refracted) outward = dot(along, along) > 0.0 ? normalize(along) : near;
-                p.leftPoint = p.lastPoint + distance(p.lastPoint, from) * reflected; // chords of one length
-                p.leftDirection = normalize(mix(outward, near, folded * (1.0 - dot(outward, near))));
-                p.leftSigma = min(wide, HEMISPHERE_SIGMA);
-            }
-        }
-        // Followed where most of the light is: beyond the critical angle.
-        if (interiorPairs == 0 || bounce == followed || thrownBack < 0.5 * p.ray.weight) break;
-        if (interiorPairs == 1 && spread > LEFT_OVER_SIGMA) break; // and no way can be told any more
-        if (losesItsWay && bounce > 0) p.passedBetween += p.ray.weight * passes;
-        p.ray.sigma = spread;
-        p.ray.direction = reflected;
-        p.ray.weight = thrownBack;
-        from = p.lastPoint;
+    if (interiorPairs == 0) return p;
+    float across = first.run * max(-dot(first.ray.direction, s.n), 0.0);
+    for (int bounce = 0; bounce < followed; ++bounce) {
+        FaceSplit split = splitAt(p.last, invIor, k);
+        if (!goesOn(p.last, split)) break;
+        InnerArrival next = nextArrival(s, p.last, split, across);
+        if (next.segment < 0.0) break;
+        if (losesItsWay && bounce > 0) p.passedBetween += p.last.ray.weight * split.passes;
+        p.last = next;
+        p.bounced = true;
     }
     return p;
+}
+
+// What is reflected at the last face that was found.
+struct Residual {
+    vec3 point;     // where it is looked for, outside
+    vec3 direction;
+    float sigma;
+    float energy;
+    Wandering leaves; // what becomes of it at each face that it comes to
+};
+
+Residual residualOf(Surface s, InnerPath p, float invIor, Widening k) {
+    FaceSplit split = splitAt(p.last, invIor, k);
+    // Beyond the critical angle and in bodies that are not convex it wanders: of all guesses, what is behind a convex body is
+    // nearest to brute force.
+    Residual r;
+    r.energy = split.reflected;
+    r.leaves = wanderingAt(p.last.face.alpha, 1.0 / invIor, wanderingLoss());
+    if (losesItsWay) r.leaves = wanderingConcave(r.leaves, MEETS_AGAIN);
+    r.point = p.last.point;
+    r.direction = -s.wo;
+    r.sigma = max(split.sigma, LEFT_OVER_SIGMA);
+    if (interiorPairs > 1 || (split.reflected >= 0.5 * p.last.ray.weight && split.sigma <= LEFT_OVER_SIGMA)) return r;
+    // Else what a convex body throws back leaves by its near face: of a plate that is the one that is seen, of a curved body the
+    // one that the sphere with the same chord has there.
+    bool isFlat = p.last.face.turn == vec2(0.0);
+    vec3 n = p.last.face.n;
+    vec3 near = isFlat ? s.n : normalize(n + 2.0 * dot(p.last.ray.direction, n) * split.direction);
+    vec3 outward = refractAbout(-split.direction, -near, invIor);
+    // Of what is too wide for a hemisphere so much is pushed from the face towards its normal.
+    float wide = split.sigma / invIor; // small angles grow by the index there
+    float folded = max(1.0 - HEMISPHERE_SIGMA / max(wide, HEMISPHERE_SIGMA), 0.0);
+    bool refracted = dot(outward, near) > 0.0;
+    if (!refracted && split.sigma <= LEFT_OVER_SIGMA) return r;
+    // Again and again, each time with the same shares. A smooth face loses nothing: below a hundredth it is the table's rounding.
+    r.leaves.passes = split.passes;
+    r.leaves.back = min(split.kept + 0.01, 1.0) - split.passes;
+    vec3 along = split.direction - dot(split.direction, near) * near;
+    if (!refracted) outward = dot(along, along) > 0.0 ? normalize(along) : near;
+    r.point = p.last.point + p.last.segment * split.direction; // chords of one length
+    r.direction = normalize(mix(outward, near, folded * (1.0 - dot(outward, near))));
+    r.sigma = min(wide, HEMISPHERE_SIGMA);
+    return r;
 }

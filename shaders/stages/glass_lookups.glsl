@@ -20,6 +20,42 @@ vec3 lightsAlong(Beam beam) {
     return sum / (2.0 * BSDF_PI * variance);
 }
 
+// Where the first of two beams that meet the same thing meets it. within: metres to something opaque inside that ends it; negative:
+// none.
+Meeting pairMeeting(WeightedBeam core, float within) {
+    Beam part = partOf(core.beam);
+    Meeting meeting = meetBackdrop(part.origin, part.direction, part.sigma, true);
+    if (holdsOpaque && within >= 0.0) {
+        meeting.distance = within;
+        meeting.seen = true;
+    }
+    return meeting;
+}
+
+// What both bring, or the first alone.
+vec3 pairRadiance(WeightedBeam core, WeightedBeam rest, bool both, float within) {
+    vec3 sum = vec3(0.0);
+    Meeting meeting = pairMeeting(core, within);
+    WeightedBeam w = core;
+    int members = both ? 2 : 1; // in one place: see above
+    for (int m = 0; m < members; ++m) {
+        if (m == 1) w = rest;
+        sum += w.weight * beamRadiance(partOf(w.beam), meeting);
+        if (hasLights) sum += w.weight * lightsAlong(w.beam);
+    }
+    return sum;
+}
+
+// What the mirror's beams bring, beside light that is transmitted with so much weight.
+vec3 mirrorRadiance(MirrorBeams mirror, vec3 transmitted) {
+    vec3 reflected = mirror.core.weight + mirror.rest.weight;
+    float share = looked(reflected, reflected + transmitted);
+    vec3 sum = vec3(0.0);
+    if (share > 0.0) sum += share * pairRadiance(mirror.core, mirror.rest, lobeTaps > 1, -1.0);
+    if (share < 1.0) sum += (1.0 - share) * farMirror(mirror);
+    return sum;
+}
+
 // What the beams bring: core and rest, what bounced, what is left over and the mirror's, those that are looked for each by its own
 // meeting.
 vec3 glassRadiance(GlassBeams beams, MirrorBeams mirror) {

@@ -2,20 +2,9 @@
 // Frame    world, metres.
 // Needs    interface/{frame,instance,lights,material}.glsl, stages/material_features.glsl, the inputs of opaque.vert.
 // Returns  refractiveColor: radiance, premultiplied by the coverage in w. base: surfaceBaseColor().
-#include "stages/surface.glsl"
-#include "stages/object.glsl"
-#include "stages/reflectance.glsl"
-#include "stages/punctual_lights.glsl"
-#include "stages/environment.glsl"
-#include "stages/surroundings.glsl"
-#include "stages/environment_light.glsl"
-#include "stages/glass_beams.glsl"
-#include "stages/glass_faces.glsl"
-#include "stages/glass_inside.glsl"
-#include "stages/glass.glsl"
+#include "stages/glass_material.glsl"
 #include "stages/thin_wall.glsl"
 #include "stages/glass_partly_clear.glsl"
-#include "stages/glass_lookups.glsl"
 #include "stages/importance.glsl"
 #include "stages/importance_glass.glsl"
 
@@ -26,19 +15,18 @@ vec4 refractiveColor(vec4 base) {
     // Alpha says whether the solid is there for what comes to it: from within it is.
     float coverage = alphaMode == 2 && fromOutside() ? base.w : 1.0;
     Surface s = readSurface(base);
-    float through = s.transmission * (1.0 - s.metallic);
     // A base colour tints what passes once: its root at each face of a solid.
     bool twice = fromOutside();
-    vec3 tint = through * (twice ? s.baseColor : sqrt(s.baseColor));
+    vec3 tint = transmissionTint(s);
+    if (!twice) tint = throughShare(s) * sqrt(s.baseColor);
     // The far face is clear by the same share.
-    float clear = transmission == 2 && twice ? through : 1.0;
+    float clear = transmission == 2 && twice ? throughShare(s) : 1.0;
     vec3 radiance = s.emissive;
-    float ior = ofPixel(material.surface.w); // tables and composition branch on it
+    float ior = glassIor();
     MirrorBeams mirror = noMirror(s);
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);
-        mirror.core = mirrorBeam(s, light, light.tap);
-        if (lobeTaps > 1) mirror.rest = mirrorBeam(s, light, mergedTail(s, light));
+        mirror = mirrorBeams(s, light);
         radiance += light.diffuse;
     }
     if (indexIsOne) {

@@ -3,6 +3,7 @@
 // Needs    the inputs of opaque.vert, interface/frame.glsl, interface/material.glsl, stages/material_features.glsl.
 // Source   glTF 2.0 §3.9 and the extensions named at each line.
 #include "stages/of_pixel.glsl"
+#include "stages/picture_pixel.glsl"
 
 layout(binding = 8) uniform sampler2D baseColorMap;
 layout(binding = 9) uniform sampler2D metallicRoughnessMap;
@@ -73,7 +74,8 @@ const float STEEPEST_TURN = 0.25;
 float turnOverPixel(vec3 direction) {
     vec3 x = dFdx(direction);
     vec3 y = dFdy(direction);
-    return frame.part.w * min(0.5 * (dot(x, x) + dot(y, y)), STEEPEST_TURN * STEEPEST_TURN);
+    float apart = float(pixelStep());
+    return frame.part.w * min(0.5 * (dot(x, x) + dot(y, y)) / (apart * apart), STEEPEST_TURN * STEEPEST_TURN);
 }
 
 Surface readSurface(vec4 base) {

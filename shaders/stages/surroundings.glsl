@@ -7,6 +7,7 @@
 //          walls and floors in two or three reads; where that does not settle, in steps that are even on the screen.
 #include "bsdf/constants.glsl"
 #include "stages/of_pixel.glsl"
+#include "stages/picture_pixel.glsl"
 #include "refraction/beam_part.glsl"
 #include "refraction/screen_pyramid_fetch.glsl"
 
@@ -41,7 +42,7 @@ Beam straightBeam(vec3 origin, vec3 direction, float sigma) {
 // in the picture. Each pixel turns its own about the beam's middle, to one neighbour's angle or the other's at most: N parts stand
 // 2 pi / N apart, frame.part.w is 1 / (12 N). A lattice of the plastic number's powers leaves the least alike beside each other.
 mat2 pixelTurn() {
-    float angle = 48.0 * BSDF_PI * frame.part.w * (fract(dot(floor(gl_FragCoord.xy), vec2(0.754877666, 0.569840291))) - 0.5);
+    float angle = 48.0 * BSDF_PI * frame.part.w * (fract(dot(vec2(picturePixel()), vec2(0.754877666, 0.569840291))) - 0.5);
     return mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
 }
 
@@ -67,6 +68,8 @@ struct Meeting {
     bool guessed;   // the picture does not show that place: its border is taken to go on
     float wall;     // it does not, but of the beam this share meets a wall that is known to be there; 0: there is none
 };
+
+layout(constant_id = 44) const bool hasWalls = true; // the frame knows of some
 
 const float OUTSIDE_FADE = 1.0; // of the picture's height
 const int MEETING_GUESSES = 4;
@@ -282,7 +285,7 @@ Meeting meetBackdrop(vec3 origin, vec3 direction, float sigma, bool guess) {
     if (guess) met = guessMeeting(from, along);
     // A wall may be what bounds the scene: a fiftieth further.
     if (!met.seen) met = stepToMeeting(from, along, 1.02 * max(distanceOutOfScene(origin, direction), 0.0));
-    if (met.guessed) {
+    if (hasWalls && met.guessed) {
         vec2 wall = meetWalls(origin, direction, sigma);
         if (wall.x > 0.004) { // a step of 8 bits
 
@@ -311,48 +314,65 @@ vec3 wideRadiance(vec3 direction) {
 
 float seenSigma(Beam beam) { return sqrt(beam.sigma * beam.sigma + beam.turn); }
 
-// Radiance that arrives along the beam. `meeting`: of its centre, or of another beam of nearly the same origin and direction.
-vec3 beamRadiance(Beam beam, Meeting meeting) {
-    float share = 0.0;
-    vec3 near = vec3(0.0);
+// Where a beam falls on the picture, and how much of it does.
+struct Footprint {
+    vec2 at;        // pixels
+    float variance; // pixels²
+    float share;    // 0: the picture does not show it
+};
+
+// `meeting`: of the beam's centre, or of another beam of nearly the same origin and direction.
+Footprint footprintOf(Beam beam, Meeting meeting) {
+    Footprint f;
+    f.at = vec2(0.0);
+    f.variance = 0.0;
+    f.share = 0.0;
     bool ends = meeting.distance >= 0.0;
     vec4 place = ends ? vec4(beam.origin + meeting.distance * beam.direction, 1.0) : vec4(beam.direction, 0.0);
     vec4 clip = frame.clipFromWorld * place;
-    if (meeting.seen && clip.w > 0.0) {
-        vec3 fromEye = ends ? place.xyz - frame.eye.xyz : beam.direction;
-        float range = length(fromEye);
-        float apart = meeting.distance * meeting.distance * beam.turn;
-        float metres =
-            ends ? sqrt(beamVariance(beam.sigma, beam.carried, beam.inner, beam.inside, meeting.distance) + apart) : 0.0;
-        float pixels; // sigma
-        if (ofPixel(frame.eye.w) > 0.0) {
-            pixels = (ends ? metres / range : seenSigma(beam)) * pixelsPerRadian(frame.picture.z, min(clip.w / range, 1.0));
-        } else {
-            // An orthographic camera sees one direction of the sky only: the rest is the environment's business.
-            pixels = metres * frame.picture.z;
-        }
-        pixels *= sqrt(meeting.foreshortening);
-        vec2 at = pixelOf(clip);
-        // A spot beside what hides the rest of its way would take half of its light from that, which may be a lamp's reflection: it
-        // is read as far back on its way as it reaches, two sigma, is a share of that; from where it begins if that is all.
-        if (meeting.hidden) {
-            vec2 back = meeting.from - at;
-            at += back * min(4.0 * pixels * pixels / max(dot(back, back), 1e-6), 1.0); // a thousandth of a pixel is no way
-        }
-        // Off the picture the sky is known better from the environment. A surface is not: its border stands for it, ever more
-        // blurred, and fades as the picture's size tells how far a guess may reach: not where a wall is known to go on.
-        vec2 outside = max(max(-at, at - frame.picture.xy), vec2(0.0)) / (OUTSIDE_FADE * frame.picture.y);
-        share = ends ? exp(-0.5 * dot(outside, outside)) : pyramidCoverage(at, frame.picture.xy, pixels);
-        if (meeting.wall > 0.0) share = meeting.wall;
-        outside *= OUTSIDE_FADE * frame.picture.y;
-        if (share > 0.0) {
-            float variance = pixels * pixels + dot(outside, outside);
-            vec4 seen = fetchPyramid(screenPyramid, at, frame.picture.xy, variance, frame.picture.w);
-            // Where less than half of the blur falls on what can be behind, the environment comes in for the rest.
-            share *= min(2.0 * seen.w, 1.0);
-            near = seen.w > 0.0 ? seen.xyz / seen.w : vec3(0.0);
-        }
+    if (!(meeting.seen && clip.w > 0.0)) return f;
+    vec3 fromEye = ends ? place.xyz - frame.eye.xyz : beam.direction;
+    float range = length(fromEye);
+    float apart = meeting.distance * meeting.distance * beam.turn;
+    float metres =
+        ends ? sqrt(beamVariance(beam.sigma, beam.carried, beam.inner, beam.inside, meeting.distance) + apart) : 0.0;
+    float pixels; // sigma
+    if (ofPixel(frame.eye.w) > 0.0) {
+        pixels = (ends ? metres / range : seenSigma(beam)) * pixelsPerRadian(frame.picture.z, min(clip.w / range, 1.0));
+    } else {
+        // An orthographic camera sees one direction of the sky only: the rest is the environment's business.
+        pixels = metres * frame.picture.z;
     }
-    if (share >= 0.999) return near; // what is left, a thousandth, is below what 8 bits show
-    return mix(farRadiance(beam.direction, seenSigma(beam)), near, share);
+    pixels *= sqrt(meeting.foreshortening);
+    vec2 at = pixelOf(clip);
+    // A spot beside what hides the rest of its way would take half of its light from that, which may be a lamp's reflection: it
+    // is read as far back on its way as it reaches, two sigma, is a share of that; from where it begins if that is all.
+    if (meeting.hidden) {
+        vec2 back = meeting.from - at;
+        at += back * min(4.0 * pixels * pixels / max(dot(back, back), 1e-6), 1.0); // a thousandth of a pixel is no way
+    }
+    // Off the picture the sky is known better from the environment. A surface is not: its border stands for it, ever more
+    // blurred, and fades as the picture's size tells how far a guess may reach: not where a wall is known to go on.
+    vec2 outside = max(max(-at, at - frame.picture.xy), vec2(0.0)) / (OUTSIDE_FADE * frame.picture.y);
+    f.share = ends ? exp(-0.5 * dot(outside, outside)) : pyramidCoverage(at, frame.picture.xy, pixels);
+    if (meeting.wall > 0.0) f.share = meeting.wall;
+    outside *= OUTSIDE_FADE * frame.picture.y;
+    f.at = at;
+    f.variance = pixels * pixels + dot(outside, outside);
+    return f;
+}
+
+// What the picture shows there: radiance, and in w the share of the beam that it stands for. Where less than half of the blur falls
+// on what can be behind, the environment comes in for the rest.
+vec4 pictureRadiance(Footprint f) {
+    if (!(f.share > 0.0)) return vec4(0.0);
+    vec4 seen = fetchPyramid(screenPyramid, f.at, frame.picture.xy, f.variance, frame.picture.w);
+    return vec4(seen.w > 0.0 ? seen.xyz / seen.w : vec3(0.0), f.share * min(2.0 * seen.w, 1.0));
+}
+
+// Radiance that arrives along the beam.
+vec3 beamRadiance(Beam beam, Meeting meeting) {
+    vec4 near = pictureRadiance(footprintOf(beam, meeting));
+    if (near.w >= 0.999) return near.xyz; // what is left, a thousandth, is below what 8 bits show
+    return mix(farRadiance(beam.direction, seenSigma(beam)), near.xyz, near.w);
 }

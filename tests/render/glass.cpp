@@ -332,16 +332,16 @@ TEST_P(Render, a_floor_goes_on_in_reflections_where_the_picture_ends) {
 }
 
 TEST_P(Render, glass_behind_glass_takes_a_picture_for_each_and_side_by_side_one) {
-  const auto refractive_passes = [this](const glm::vec3& second) {
+  const auto layers = [this](const glm::vec3& second) {
     scene::Scene scene = ball(glass(0.2f));
     scene.instances[0].world = placed({-0.6f, 0, 0}, glm::vec3(0.4f));
     add(scene, ball(glass(0.2f)), placed(second, glm::vec3(0.4f)));
     frame::Renderer renderer(device(), scene, from({0, 0, 4}));
     const std::vector<std::string> labels = renderer.pass_labels();
-    return std::ranges::count(labels, "refractive");
+    return std::ranges::count(labels, "glass resolve");
   };
-  EXPECT_EQ(refractive_passes({0.6f, 0, 0}), 1);
-  EXPECT_EQ(refractive_passes({-0.6f, 0, -2}), 2);
+  EXPECT_EQ(layers({0.6f, 0, 0}), 1);
+  EXPECT_EQ(layers({-0.6f, 0, -2}), 2);
 }
 
 // A wall of no thickness shifts nothing: an edge behind it stays where it is, and sharp.

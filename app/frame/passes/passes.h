@@ -31,6 +31,10 @@ std::optional<Input> declare_interior(Graph& graph, const needs::Needs& needs, s
 // hide each other on the screen. Returns the array of faces.
 std::size_t declare_faces(Graph& graph, const std::vector<const needs::Draw*>& solids, int part,
                           int pairs);
+// Solids of the layer that are shaded by region, besides those that declare_refractive draws.
+bool is_split(const needs::Region& region);
+void declare_glass(Graph& graph, const needs::Needs& needs, std::size_t layer,
+                   const Backdrop& backdrop, const Input& interior);
 void declare_refractive(Graph& graph, const needs::Needs& needs, std::size_t layer,
                         const std::optional<Backdrop>& backdrop,
                         const std::optional<Input>& interior);

@@ -1,0 +1,18 @@
+// glass_bounced.glsl: the fifth pass over a solid of glass: what leaves it after total reflections inside.
+// Writes   radiance, added to what is there; nothing where there were none.
+#include "stages/glass_material.glsl"
+#include "stages/glass_arrival.glsl"
+#include "stages/glass_lobes.glsl"
+
+layout(location = 0) out vec4 outColor;
+
+void writeBounced(bool shown) {
+    Surface s = readSurface(surfaceBaseColor());
+    float ior = glassIor();
+    InnerPath path;
+    path.last = readLastArrival(1.0 / ior);
+    path.bounced = shown && path.last.run > 0.0 && endWithinGlass() < 0.0;
+    WeightedBeam w = seenThrough(reflectedInsideBeam(path), transmissionTint(s));
+    outColor = vec4(0.0);
+    if (path.bounced) outColor = vec4(pairRadiance(w, w, false, -1.0), 0.0);
+}

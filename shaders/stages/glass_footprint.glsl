@@ -1,0 +1,43 @@
+// glass_footprint.glsl: where the lobes that leave a solid of glass fall on the picture, for glass_resolve.frag, which looks there
+// between the fragments of this pass.
+// Layout   floats of 32 bits: places are looked up within a fraction of a pixel, radiance exceeds half floats.
+//          offsets  xy of core, zw of rest, pixels from the fragment's own
+//          spots    xy variances of both, pixels²; zw the shares of lobeColor that the picture stands for
+//          lobes    rgb weight of both together; w the number of the solid (stages/object.glsl), 0 where there is none
+//          far      rgb radiance that the picture does not stand for
+#include "stages/glass_material.glsl"
+#include "stages/glass_look.glsl"
+
+layout(location = 0) out vec4 outOffsets;
+layout(location = 1) out vec4 outSpots;
+layout(location = 2) out vec4 outLobes;
+layout(location = 3) out vec4 outFar;
+
+void writeFootprint() {
+    LobePair pair = readLobes();
+    Meeting meeting = pairMeeting(pair.core, endWithinGlass());
+    vec3 both = pair.core.weight + pair.rest.weight;
+    if (entryTaps == 1) both = pair.core.weight;
+    outOffsets = vec4(0.0);
+    outSpots = vec4(0.0);
+    outLobes = vec4(both, float(objectId()));
+    outFar = vec4(0.0);
+    WeightedBeam w = pair.core;
+    for (int m = 0; m < entryTaps; ++m) {
+        if (m == 1) w = pair.rest;
+        Beam part = partOf(w.beam);
+        Footprint f = footprintOf(part, meeting);
+        float share = pictureRadiance(f).w;
+        outFar.xyz += w.weight * (1.0 - share) * farRadiance(part.direction, seenSigma(part));
+        if (hasLights) outFar.xyz += w.weight * lightsAlong(w.beam);
+        vec2 off = f.share > 0.0 ? f.at - vec2(picturePixel()) - 0.5 : vec2(0.0);
+        float shown = share * largest(w.weight) / max(largest(both), 1e-30);
+        if (m == 0) {
+            outOffsets.xy = off;
+            outSpots.xz = vec2(f.variance, shown);
+        } else {
+            outOffsets.zw = off;
+            outSpots.yw = vec2(f.variance, shown);
+        }
+    }
+}

@@ -1,0 +1,20 @@
+// glass_look_region.frag: what the lobes that leave a solid of glass bring, over what is there.
+#version 450
+#include "interface/frame.glsl"
+#include "interface/instance.glsl"
+#include "interface/lights.glsl"
+#include "interface/material.glsl"
+#include "stages/material_features.glsl"
+#include "stages/region_surface.glsl"
+#include "stages/glass_material.glsl"
+#include "stages/glass_look.glsl"
+#include "stages/region_read.glsl"
+
+layout(location = 0) out vec4 outColor;
+
+void main() {
+    bool shown = readRegion();
+    LobePair pair = readLobes();
+    vec3 radiance = pairRadiance(pair.core, pair.rest, entryTaps > 1, endWithinGlass());
+    outColor = shown ? vec4(radiance, 1.0) : vec4(0.0);
+}

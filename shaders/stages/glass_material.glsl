@@ -1,0 +1,37 @@
+// glass_material.glsl: a surface of glass and its beams, as all of its passes begin.
+// Frame    world, metres.
+// Needs    interface/{frame,instance,lights,material}.glsl, stages/material_features.glsl, the inputs of opaque.vert.
+#include "stages/surface.glsl"
+#include "stages/object.glsl"
+#include "stages/reflectance.glsl"
+#include "stages/punctual_lights.glsl"
+#include "stages/environment.glsl"
+#include "stages/surroundings.glsl"
+#include "stages/environment_light.glsl"
+#include "stages/glass_beams.glsl"
+#include "stages/glass_faces.glsl"
+#include "stages/glass_inside.glsl"
+#include "stages/glass.glsl"
+#include "stages/glass_lookups.glsl"
+
+float throughShare(Surface s) { return s.transmission * (1.0 - s.metallic); }
+
+// Of both faces.
+vec3 transmissionTint(Surface s) { return throughShare(s) * s.baseColor; }
+
+float glassIor() { return ofPixel(material.surface.w); } // tables and composition branch on it
+
+MirrorBeams mirrorBeams(Surface s, EnvironmentLight light) {
+    MirrorBeams mirror = noMirror(s);
+    mirror.core = mirrorBeam(s, light, light.tap);
+    if (lobeTaps > 1) mirror.rest = mirrorBeam(s, light, mergedTail(s, light));
+    return mirror;
+}
+
+// As the pixel shows it: tinted, over its footprint.
+WeightedBeam seenThrough(WeightedBeam w, vec3 tint) {
+    WeightedBeam seen = w;
+    seen.beam.turn = turnOverPixel(w.beam.direction);
+    seen.weight *= tint;
+    return seen;
+}

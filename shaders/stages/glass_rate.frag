@@ -1,0 +1,27 @@
+// glass_rate.frag: gives the pixels of glass that have to be shaded one by one the depth 1, those between fragments that agree the
+// depth of their region: the depth test, which comes before shading, finds them. Whole quads, so that derivatives are there.
+#version 450
+#include "interface/region.glsl"
+#include "refraction/exit_surface.glsl"
+#include "stages/glass_cells.glsl"
+
+layout(binding = 26) uniform usampler2DArray interior;
+layout(binding = 31) uniform sampler2D hidingDepth;
+layout(binding = 36) uniform sampler2D glassCells;
+
+void main() {
+    ivec2 last = textureSize(interior, 0).xy - 1;
+    bool alone = false;
+    bool any = false;
+    for (int k = 0; k < 4; ++k) {
+        ivec2 at = min((ivec2(gl_FragCoord.xy) & ~1) + ivec2(k & 1, k >> 1), last);
+        uvec4 texel = texelFetch(interior, ivec3(at, 0), 0);
+        vec4 cell = texelFetch(glassCells, cellOf(at), 0);
+        bool shown = texel.w > 0u && uintBitsToFloat(texel.x) >= texelFetch(hidingDepth, at, 0).x;
+        bool between = float(texel.w) == cell.z && dot(octDecode(unpackSnorm2x16(texel.y)), octDecode(cell.xy)) > CELL_LEAST_COS;
+        any = any || shown;
+        alone = alone || (shown && !between);
+    }
+    if (!any) discard;
+    gl_FragDepth = alone ? 1.0 : region.back.x;
+}

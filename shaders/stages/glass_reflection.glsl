@@ -1,0 +1,19 @@
+// glass_reflection.glsl: the sixth pass over a solid of glass: what its outside reflects.
+// Writes   radiance, added to what is there.
+#include "stages/glass_material.glsl"
+
+layout(binding = 38) uniform sampler2D lobeWeight; // stages/glass_lobes.glsl
+
+layout(location = 0) out vec4 outColor;
+
+void writeReflection(bool shown) {
+    Surface s = readSurface(surfaceBaseColor());
+    vec3 radiance = s.emissive;
+    if (hasEnvironment) {
+        EnvironmentLight light = environmentLobe(s);
+        radiance += light.diffuse;
+        radiance += mirrorRadiance(mirrorBeams(s, light), texelFetch(lobeWeight, ivec2(gl_FragCoord.xy), 0).xyz);
+    }
+    if (hasLights) radiance += punctualLight(s);
+    outColor = shown ? vec4(radiance, 0.0) : vec4(0.0);
+}

@@ -1,0 +1,14 @@
+// glass_reflection_region.frag: glass_reflection.glsl by region.
+#version 450
+#include "interface/frame.glsl"
+#include "interface/instance.glsl"
+#include "interface/lights.glsl"
+#include "interface/material.glsl"
+#include "stages/material_features.glsl"
+#include "stages/region_surface.glsl"
+#include "stages/glass_reflection.glsl"
+#include "stages/region_read.glsl"
+
+void main() {
+    writeReflection(readRegion());
+}

@@ -1,0 +1,24 @@
+// glass_reflections.glsl: the second pass over a solid of glass: on from the first face where light is totally reflected, to the last
+// face that is found.
+// Writes   stages/glass_arrival.glsl; nothing where there is no total reflection.
+#include "stages/glass_material.glsl"
+#include "stages/glass_arrival.glsl"
+
+layout(location = 0) out vec4 outPoint;
+layout(location = 1) out vec4 outFace;
+layout(location = 2) out vec4 outRay;
+layout(location = 3) out vec4 outWay;
+
+void writeReflections() {
+    Surface s = readSurface(surfaceBaseColor());
+    float ior = glassIor();
+    float entered = faceEnergy(dot(s.n, s.wo), s.alpha, ior).transmitted;
+    InnerArrival first = readFirstArrival(s, enteringTap(0, s, ior, entered), entered, 1.0 / ior);
+    InnerPath path = followReflections(s, first, 1.0 / ior, widening());
+    if (!path.bounced) discard;
+    PackedArrival p = packArrival(path.last, path.passedBetween);
+    outPoint = p.point;
+    outFace = p.face;
+    outRay = p.ray;
+    outWay = p.way;
+}

@@ -1,0 +1,14 @@
+// glass_residual_region.frag: glass_residual.glsl by region.
+#version 450
+#include "interface/frame.glsl"
+#include "interface/instance.glsl"
+#include "interface/lights.glsl"
+#include "interface/material.glsl"
+#include "stages/material_features.glsl"
+#include "stages/region_surface.glsl"
+#include "stages/glass_residual.glsl"
+#include "stages/region_read.glsl"
+
+void main() {
+    writeResidual(readRegion());
+}

@@ -1,0 +1,38 @@
+// thin_reflection.frag: what a wall of no thickness reflects, added to what is seen through it (thin_transmission.frag).
+#version 450
+#include "interface/frame.glsl"
+#include "interface/instance.glsl"
+#include "interface/lights.glsl"
+#include "interface/material.glsl"
+#include "stages/material_features.glsl"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+layout(location = 2) in vec4 inTangent;
+layout(location = 3) in vec4 inColor;
+layout(location = 4) in vec4 inUv01;
+layout(location = 5) in vec4 inUv23;
+
+layout(location = 0) out vec4 outColor;
+
+#include "stages/glass_material.glsl"
+#include "stages/thin_wall.glsl"
+
+void main() {
+    vec4 base = surfaceBaseColor();
+    if (alphaMode == 1 && base.w < material.emissive.w) discard;
+    float coverage = alphaMode == 2 ? base.w : 1.0;
+    Surface s = readSurface(base);
+    float ior = glassIor();
+    vec3 tint = transmissionTint(s);
+    vec3 radiance = s.emissive;
+    if (hasEnvironment) {
+        EnvironmentLight light = environmentLobe(s);
+        radiance += light.diffuse;
+        ThinWallEnergy energy = wallEnergy(dot(s.wo, s.n), s.alpha, ior);
+        MirrorBeams mirror = withReflectedLater(mirrorBeams(s, light), tint * energy.reflectedLater, ior);
+        radiance += mirrorRadiance(mirror, tint * energy.transmitted);
+    }
+    if (hasLights) radiance += punctualLight(s);
+    outColor = vec4(radiance * coverage, 0.0);
+}
