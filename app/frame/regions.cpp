@@ -13,12 +13,17 @@ double material_depth(std::size_t n) {
   return static_cast<double>(n + 1) * 0x1p-24;
 }
 
+// As shaders/stages/object.glsl says it.
+int solid_number(const needs::Draw& draw) {
+  return static_cast<int>(draw.instance_index * 4096 + draw.material_index % 4096 + 1);
+}
+
 // Samples lie up to half a pixel off.
 uniforms::RegionData block_of(const needs::ScreenBox& box, const needs::View& view, double depth,
-                              int step = 1) {
+                              int step = 1, int solid = 0) {
   const double margin = step == 1 ? 1.0 : 2.0 * step; // the picture may end within a fragment
   const glm::dvec2 pixel(2.0 * margin / view.width, 2.0 * margin / view.height);
-  return {glm::vec4(box.low - pixel, box.high + pixel), glm::vec4(depth, step, 0.0, 0.0)};
+  return {glm::vec4(box.low - pixel, box.high + pixel), glm::vec4(depth, step, solid, 0.0)};
 }
 
 } // namespace
@@ -38,7 +43,8 @@ std::vector<uniforms::RegionData> region_blocks(const needs::Needs& needs) {
     for (const needs::Region& region : layer.regions)
       for (const int step : {1, glass_step})
         blocks.push_back(block_of(region.box, needs.view,
-                                  region.box.farthest_depth * (1.0 - depth_rounding), step));
+                                  region.box.farthest_depth * (1.0 - depth_rounding), step,
+                                  solid_number(*region.draws.front())));
   return blocks;
 }
 

@@ -17,7 +17,7 @@ layout(location = 0) out vec4 outCell;
 
 // The most that a second difference may be.
 const float MOST_SHARE = 0.1;     // of the lobes' weight: their shares
-const float MOST_WEIGHT = 0.1;    // of itself: the weight, the far radiance
+const float MOST_WEIGHT = 0.1;    // of itself: the weight; of all radiance: the far one
 const float MOST_PIXELS = 1.0;    // of offsets and sigmas, where a spot is sharp,
 const float MOST_SIGMAS = 0.5;    // and of its sigma where it is wide
 const float NOT_SEEN = 0.004;     // a share, or a weight: a step of 8 bits
@@ -27,6 +27,7 @@ struct Fragment {
     vec4 spots; // sigmas
     vec4 lobes;
     vec3 far;
+    float near;
 };
 
 Fragment fragmentAt(ivec2 at) {
@@ -36,7 +37,9 @@ Fragment fragmentAt(ivec2 at) {
     f.spots = texelFetch(glassSpots, inside, 0);
     f.spots.xy = sqrt(f.spots.xy);
     f.lobes = texelFetch(glassLobes, inside, 0);
-    f.far = texelFetch(glassFar, inside, 0).xyz;
+    vec4 light = texelFetch(glassFar, inside, 0);
+    f.far = light.xyz;
+    f.near = light.w;
     return f;
 }
 
@@ -56,7 +59,7 @@ bool bendsLittle(Fragment a, Fragment b, Fragment c, bool hasThird) {
     vec2 share = max(a.spots.zw, b.spots.zw);
     bvec2 placed = lessThanEqual(max(max(abs(offsets.xz), abs(offsets.yw)), abs(spots.xy)), most);
     return all(lessThanEqual(abs(spots.zw), vec2(MOST_SHARE))) && (placed.x || share.x < NOT_SEEN) && (placed.y || share.y < NOT_SEEN) &&
-           all(lessThanEqual(abs(lobes), MOST_WEIGHT * b.lobes.xyz + NOT_SEEN)) && all(lessThanEqual(abs(far), MOST_WEIGHT * b.far));
+           all(lessThanEqual(abs(lobes), MOST_WEIGHT * b.lobes.xyz + NOT_SEEN)) && all(lessThanEqual(abs(far), MOST_WEIGHT * (b.far + b.near)));
 }
 
 // Between the second and the third of four fragments in a row.

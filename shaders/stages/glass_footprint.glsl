@@ -4,7 +4,7 @@
 //          offsets  xy of core, zw of rest, pixels from the fragment's own
 //          spots    xy variances of both, pixels²; zw the shares of lobeColor that the picture stands for
 //          lobes    rgb weight of both together; w the number of the solid (stages/object.glsl), 0 where there is none
-//          far      rgb radiance that the picture does not stand for
+//          far      rgb radiance that the picture does not stand for; w the largest channel of what it does
 #include "stages/glass_material.glsl"
 #include "stages/glass_look.glsl"
 
@@ -27,7 +27,9 @@ void writeFootprint() {
         if (m == 1) w = pair.rest;
         Beam part = partOf(w.beam);
         Footprint f = footprintOf(part, meeting);
-        float share = pictureRadiance(f).w;
+        vec4 near = pictureRadiance(f);
+        float share = near.w;
+        outFar.w += share * largest(w.weight * near.xyz);
         outFar.xyz += w.weight * (1.0 - share) * farRadiance(part.direction, seenSigma(part));
         if (hasLights) outFar.xyz += w.weight * lightsAlong(w.beam);
         vec2 off = f.share > 0.0 ? f.at - vec2(picturePixel()) - 0.5 : vec2(0.0);

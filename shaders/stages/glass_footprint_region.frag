@@ -12,5 +12,5 @@
 void main() {
     bool shown = readRegion();
     writeFootprint();
-    if (!shown) outLobes.w = 0.0;
+    if (!shown) discard; // after all derivatives
 }

@@ -17,7 +17,7 @@ void main() {
         ivec2 at = min((ivec2(gl_FragCoord.xy) & ~1) + ivec2(k & 1, k >> 1), last);
         uvec4 texel = texelFetch(interior, ivec3(at, 0), 0);
         vec4 cell = texelFetch(glassCells, cellOf(at), 0);
-        bool shown = texel.w > 0u && uintBitsToFloat(texel.x) >= texelFetch(hidingDepth, at, 0).x;
+        bool shown = float(texel.w) == region.back.z && uintBitsToFloat(texel.x) >= texelFetch(hidingDepth, at, 0).x;
         bool between = float(texel.w) == cell.z && dot(octDecode(unpackSnorm2x16(texel.y)), octDecode(cell.xy)) > CELL_LEAST_COS;
         any = any || shown;
         alone = alone || (shown && !between);
