@@ -31,8 +31,8 @@ INSTANTIATE_TEST_SUITE_P(bundled, Samplers,
                          testing::Values("slabs-0.2.glb", "glass-behind-glass.glb", "wineglass.glb",
                                          "etched.glb", "GlassVaseFlowers.glb",
                                          "TransmissionTest.glb"),
-                         [](const auto& info) {
-                           std::string name = info.param;
+                         [](const auto& of) {
+                           std::string name = of.param;
                            std::ranges::replace_if(
                                name, [](char c) { return !std::isalnum(c); }, '_');
                            return name;
