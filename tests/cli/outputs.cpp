@@ -125,8 +125,7 @@ TEST(standard_input, holds_a_scene_or_queries) {
   EXPECT_EQ(a, b);
   const std::string row = "id,lobe,dist,alpha,eta,cn,ck,ix,iy,iz,ox,oy,oz,nx,ny,nz\n"
                           "one,R,ggx,0.3,1.5,0,0,0,0,1,0.6,0,0.8,0,0,1\n";
-  const std::string values =
-      shell("printf '%s' '" + row + "' | $G eval --in - -o - 2>/dev/null");
+  const std::string values = shell("printf '%s' '" + row + "' | $G eval --in - -o - 2>/dev/null");
   EXPECT_TRUE(values.starts_with("id,D,G,")) << values;
   EXPECT_NE(values.find("\none,"), std::string::npos) << values;
 }
