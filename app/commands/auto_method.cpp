@@ -61,7 +61,7 @@ ChosenMethod choose_method(const SceneOptions& scene, const DeviceOptions& devic
   if (method.method != "auto") return {find_method(method.method)};
   report::Plan plan{.correlated_smith = method.smith == "correlated",
                     .multiple_scattering = method.multiscatter,
-                    .samples = 1,
+                    .samples = {1},
                     .truth_samples = measured_samples,
                     .limit = {.max_error = method.max_error, .budget = method.budget}};
   for (const NamedMethod& m : methods())
@@ -72,7 +72,7 @@ ChosenMethod choose_method(const SceneOptions& scene, const DeviceOptions& devic
   const report::Cache cache(measurements());
   report::Devices devices(plan);
   const report::Subject full = subject_of(scene, method.smith, method.multiscatter);
-  std::vector<report::Point> all, best; // by relMSE, and by that of the best 99 % of the pixels
+  std::vector<report::Point> all, best; // by relMSE, and by its 1 %-trimmed form
   try {
     std::unique_ptr<report::Loaded> loaded;
     for (const report::Cell& cell :
@@ -80,16 +80,16 @@ ChosenMethod choose_method(const SceneOptions& scene, const DeviceOptions& devic
            if (!loaded) loaded = full.load();
            return *loaded;
          }).cells)
-      all.push_back({.ms = cell.timing.frame.median});
-    plan.samples = 4; // the small picture's edges, antialiased as the truth's are
-    plan.frames = 1;  // its times are not asked for
+      all.push_back({.ms = cell.timing.picture.median});
+    plan.samples = {4}; // the small picture's edges, antialiased as the truth's are
+    plan.pictures = 1;  // its times are not asked for
     report::Work work;
     const report::Section small = report::measure(
         subject_of(reduced(scene), method.smith, method.multiscatter), plan, cache, devices, work);
     best = all;
     for (std::size_t i = 0; i < all.size(); ++i) {
       all[i].error = report::error_of(small.cells[i], report::Measure::all);
-      best[i].error = report::error_of(small.cells[i], report::Measure::best_99);
+      best[i].error = report::error_of(small.cells[i], report::Measure::trimmed);
     }
   } catch (const report::Interrupted&) {
     throw Error(ExitCode::interrupted, "--method auto", "was interrupted while measuring",
@@ -101,7 +101,7 @@ ChosenMethod choose_method(const SceneOptions& scene, const DeviceOptions& devic
   const std::size_t i = choice->index;
   note(fmt::format(
       "--method auto: {}, {:.3g} ms per frame of one sample per pixel, relMSE {:.3g} over the "
-      "objects ({:.3g} over the best 99 % of their pixels){}",
+      "objects ({:.3g} 1 %-trimmed){}",
       chosen.name, all[i].ms, all[i].error, best[i].error,
       choice->met ? "" : "; no method meets the limit, this one comes nearest"));
   return {chosen, choice->met};

@@ -5,6 +5,7 @@ namespace gg::commands {
 void add_all(Command program) {
   add_capture(program);
   add_compare(program);
+  add_convert(program);
   add_devices(program);
   add_eval(program);
   add_figures(program);

@@ -21,6 +21,7 @@ void add_all(Command program); // in the order in which --help shows them
 
 void add_capture(Command program);
 void add_compare(Command program);
+void add_convert(Command program);
 void add_devices(Command program);
 void add_eval(Command program);
 void add_figures(Command program);

@@ -73,9 +73,9 @@ void print_table(std::FILE* to, const std::vector<Column>& table) {
               [&](const Errors& e) { return fmt::format(fmt::runtime(format), e.*value); });
   };
   row("relMSE", &Errors::relmse, "{:.4g}");
-  row("relMSE, 1 %-trimmed", &Errors::relmse_99, "{:.4g}");
+  row("relMSE, 1 %-trimmed", &Errors::relmse_trimmed, "{:.4g}");
   row("RMSE", &Errors::rmse, "{:.4g}");
-  row("bias", &Errors::signed_mean, "{:+.4g}");
+  row("bias", &Errors::bias, "{:+.4g}");
   row("p99 of |difference|", &Errors::p99, "{:.4g}");
   row("reference's mean", &Errors::reference_mean, "{:.4g}");
   row("PSNR, dB (display)", &Errors::psnr, "{:.2f}");
@@ -84,9 +84,9 @@ void print_table(std::FILE* to, const std::vector<Column>& table) {
   print_row(to, "relMSE from noise", table,
             [](const Errors& e) { return fmt::format("{:.4g}", e.noise->relmse); });
   print_row(to, "... 1 %-trimmed", table,
-            [](const Errors& e) { return fmt::format("{:.4g}", e.noise->relmse_99); });
+            [](const Errors& e) { return fmt::format("{:.4g}", e.noise->relmse_trimmed); });
   print_row(to, "std. error of mean", table,
-            [](const Errors& e) { return fmt::format("{:.4g}", e.noise->signed_mean); });
+            [](const Errors& e) { return fmt::format("{:.4g}", e.noise->bias); });
   print_row(to, "pixels within noise", table, [](const Errors& e) {
     return fmt::format("{:.1f} %", 100.0 * e.noise->pixels_within);
   });
@@ -128,13 +128,13 @@ std::vector<std::string> remarks(const std::vector<Column>& table, const Compari
   }
   std::string uneven;
   for (const Column& column : table)
-    if (image::few_pixels_rule(*column.errors))
+    if (image::outliers_dominate(*column.errors))
       uneven += (uneven.empty() ? "" : ", ") + column.title;
   if (!uneven.empty())
-    lines.push_back(fmt::format(
-        "Few pixels rule relMSE ({}): one in a hundred carries more than half of it. The worst of "
-        "the frame is {}.",
-        uneven, worst_pixel(comparison, test, reference)));
+    lines.push_back(fmt::format("Outliers dominate relMSE ({}): one in a hundred carries more than "
+                                "half of it. The worst of "
+                                "the frame is {}.",
+                                uneven, worst_pixel(comparison, test, reference)));
   return lines;
 }
 
@@ -142,10 +142,10 @@ json to_json(const Errors& e) {
   json result{{"pixels", e.pixels}};
   if (e.pixels == 0) return result;
   result.update({{"relmse", e.relmse},
-                 {"relmse_trimmed", e.relmse_99},
-                 {"outliers_dominate", image::few_pixels_rule(e)},
+                 {"relmse_trimmed", e.relmse_trimmed},
+                 {"outliers_dominate", image::outliers_dominate(e)},
                  {"rmse", e.rmse},
-                 {"bias", e.signed_mean},
+                 {"bias", e.bias},
                  {"reference_mean", e.reference_mean},
                  {"absolute_difference_p99", e.p99},
                  {"psnr_db", std::isfinite(e.psnr) ? json(e.psnr) : json()}, // null: equal
@@ -154,9 +154,9 @@ json to_json(const Errors& e) {
     result["noise"] = {{"of_reference", e.noise->of_reference},
                        {"of_test", e.noise->of_test},
                        {"relmse", e.noise->relmse},
-                       {"relmse_trimmed", e.noise->relmse_99},
+                       {"relmse_trimmed", e.noise->relmse_trimmed},
                        {"rmse", e.noise->rmse},
-                       {"bias", e.noise->signed_mean},
+                       {"bias", e.noise->bias},
                        {"pixels_within", e.noise->pixels_within},
                        {"dominates", image::noise_dominates(e)}};
   return result;

@@ -23,7 +23,8 @@ struct Options {
   std::vector<std::string> scenes;
   SceneOptions view{.size = "512x512"};
   std::string out, methods, backends = "opengl", surface, smith = "separable";
-  int samples = 16, frames = 20;
+  std::vector<int> samples = {1, 4, 16};
+  int pictures = 20;
   std::optional<int> device;
   long spp = 256;
   std::optional<double> error;
@@ -49,8 +50,14 @@ void check(const Options& o) {
     if (value < low || value > high)
       throw Error(ExitCode::usage, option, fmt::format("must be from {} to {}", low, high));
   };
-  between("--samples", o.samples, 1, 4096);
-  between("--frames", o.frames, 1, 100'000);
+  for (std::size_t i = 0; i < o.samples.size(); ++i) {
+    between("--samples", o.samples[i], 1, 4096);
+    if (std::ranges::find(o.samples.begin(), o.samples.begin() + static_cast<std::ptrdiff_t>(i),
+                          o.samples[i])
+        != o.samples.begin() + static_cast<std::ptrdiff_t>(i))
+      throw Error(ExitCode::usage, "--samples", fmt::format("{} is named twice", o.samples[i]));
+  }
+  between("--frames", o.pictures, 1, 100'000);
   between("--spp", o.spp, 2, 1L << 30);
   const auto positive = [](const char* option, double value) {
     if (!(value > 0.0) || !std::isfinite(value))
@@ -82,7 +89,7 @@ report::Plan plan_of(const Options& o) {
                     .correlated_smith = o.smith == "correlated",
                     .multiple_scattering = o.multiscatter,
                     .samples = o.samples,
-                    .frames = o.frames,
+                    .pictures = o.pictures,
                     .truth_samples = o.spp,
                     .truth_error = o.error.value_or(0.0),
                     .limit = {.max_error = o.max_error, .budget = o.budget},
@@ -145,8 +152,11 @@ void add_report(Command program) {
   command.option("--surface", &o->surface, "egl or osmesa (OpenGL only)");
   command.option("--device", &o->device, "Index from `groundglass devices`");
   add_view_options(command, o->view);
-  command.option("--samples", &o->samples, "Sub-pixel samples of a picture");
-  command.option("--frames", &o->frames, "Frames to time, of one sample per pixel");
+  command
+      .option("--samples", &o->samples,
+              "Samples per pixel of the pictures: a point for each, by default 1,4,16")
+      .comma_separated();
+  command.option("--frames", &o->pictures, "Pictures to time, of each");
   const Option spp = command.option("--spp", &o->spp, "Samples per pixel of the truth");
   command
       .option("--error", &o->error,
@@ -157,7 +167,7 @@ void add_report(Command program) {
                "Give back the energy of multiple scattering, in the truth too");
   const Option budget =
       command.option("--budget", &o->budget,
-                     "Name the method within so many ms whose relMSE over the best 99 % of the "
+                     "Name the method within so many ms whose 1 %-trimmed relMSE over the "
                      "objects' pixels is least");
   command
       .option("--max-error", &o->max_error,

@@ -6,7 +6,7 @@
 
 namespace gg {
 
-// The exit codes of every command (listed in README.md, "Exit codes").
+// The exit codes of every command (listed in app/README.md, "Exit codes").
 enum class ExitCode {
   success = 0,
   internal = 1,    // a fault of ours: please report it

@@ -7,7 +7,9 @@
 #include "glsl/cpp_text.h"
 #include "glsl/flatten.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -35,6 +37,18 @@ gg::glsl::Literals literals(const std::string& name) {
                   "Use bare, suffixed or wrapped.");
 }
 
+// A comment changes nothing that is compiled, so it is left out: then editing one builds nothing.
+std::string without_comments(const std::string& text) {
+  std::istringstream in(text);
+  std::string lines;
+  for (std::string line; std::getline(in, line);) {
+    line.erase(std::min(line.find("//"), line.size()));
+    line.erase(line.find_last_not_of(' ') + 1);
+    if (!line.empty()) lines += line + '\n';
+  }
+  return lines;
+}
+
 std::string generate(const fs::path& root, gg::glsl::Literals spelling, bool alone,
                      const std::vector<fs::path>& files) {
   if (!alone) {
@@ -60,8 +74,12 @@ int main(int argc, char** argv) try {
     return static_cast<int>(gg::ExitCode::usage);
   }
   const std::vector<fs::path> files(words.begin() + 4, words.end());
+  const std::string text =
+      without_comments(generate(words[0], literals(words[2]), words[3] == "alone", files));
+  // Left as it is, with its time, where it is the same: ninja then builds nothing that includes it.
+  if (fs::exists(words[1]) && gg::read_text(words[1]) == text) return 0;
   gg::OutputFile out(words[1]);
-  out.write(generate(words[0], literals(words[2]), words[3] == "alone", files));
+  out.write(text);
   out.commit();
   return 0;
 } catch (const gg::Error& error) {

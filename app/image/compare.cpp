@@ -79,12 +79,12 @@ std::optional<Noise> noise_of(const Picture& test, const Picture& reference, con
   const double values = 3.0 * static_cast<double>(pixels);
   noise.relmse = relative / values;
   noise.rmse = std::sqrt(absolute / values);
-  noise.signed_mean = std::sqrt(absolute) / values; // pixels are independent
+  noise.bias = std::sqrt(absolute) / values; // pixels are independent
   noise.pixels_within = static_cast<double>(within) / static_cast<double>(pixels);
   return noise;
 }
 
-// What pixels are wrong by, each, and all but the worst hundredth of them.
+// What pixels are wrong by, each, and all but the 1 % where it is largest.
 struct Ranking {
   double all = 0.0, best = 0.0; // means of relative_square
   Mask kept;
@@ -130,16 +130,16 @@ Errors errors_over(const Picture& test, const Picture& reference, const Image& f
   const double values = 3.0 * static_cast<double>(errors.pixels);
   const Ranking ranked = ranking(test, reference, mask);
   errors.relmse = ranked.all;
-  errors.relmse_99 = ranked.best;
+  errors.relmse_trimmed = ranked.best;
   errors.rmse = std::sqrt(absolute / values);
-  errors.signed_mean = difference / values;
+  errors.bias = difference / values;
   errors.reference_mean = mean / values;
   errors.p99 = percentile(distances, 0.99);
   errors.psnr =
       shown > 0.0 ? 10.0 * std::log10(values / shown) : std::numeric_limits<double>::infinity();
   errors.flip = flips / static_cast<double>(errors.pixels);
   errors.noise = noise_of(test, reference, mask);
-  if (errors.noise) errors.noise->relmse_99 = noise_of(test, reference, ranked.kept)->relmse;
+  if (errors.noise) errors.noise->relmse_trimmed = noise_of(test, reference, ranked.kept)->relmse;
   return errors;
 }
 
@@ -219,9 +219,9 @@ bool noise_dominates(const Errors& errors) {
   return errors.noise && errors.noise->relmse > 0.0 && errors.noise->relmse > 0.5 * errors.relmse;
 }
 
-bool few_pixels_rule(const Errors& errors) {
-  // As a mean over all pixels, what the best 99 % of them have.
-  return 0.99 * errors.relmse_99 < 0.5 * errors.relmse;
+bool outliers_dominate(const Errors& errors) {
+  // As a mean over all pixels, the 1 %-trimmed value.
+  return 0.99 * errors.relmse_trimmed < 0.5 * errors.relmse;
 }
 
 Comparison compare(const Picture& test, const Picture& reference, const std::vector<int>& only) {

@@ -32,8 +32,8 @@ Picture load_picture(const std::filesystem::path& path);
 // What the noise of the pictures adds to the errors, from their standard errors: to first order, as
 // the noise of r in relMSE's denominator is left out.
 struct Noise {
-  double relmse = 0.0, relmse_99 = 0.0, rmse = 0.0; // the part of them that noise explains
-  double signed_mean = 0.0;                         // its standard error
+  double relmse = 0.0, relmse_trimmed = 0.0, rmse = 0.0; // the part of them that noise explains
+  double bias = 0.0;                                     // its standard error
   double pixels_within = 0.0; // fraction of pixels whose difference is no larger than their noise
   bool of_reference = false, of_test = false; // whose standard errors are counted
 };
@@ -43,9 +43,9 @@ struct Errors {
   std::size_t pixels = 0;
   // Linear light.
   double relmse = 0.0;         // mean of (x - r)^2 / (r^2 + 0.01)
-  double relmse_99 = 0.0;      // the same without the 1 % of pixels (rounded down) where it is most
+  double relmse_trimmed = 0.0; // the same without the 1 % of pixels (rounded down) where it is most
   double rmse = 0.0;           // square root of the mean of (x - r)^2
-  double signed_mean = 0.0;    // mean of x - r
+  double bias = 0.0;           // mean of x - r
   double reference_mean = 0.0; // mean of r
   double p99 = 0.0;            // 99 % of all |x - r| are no larger
   // As displayed: clamped to 0..1 and sRGB-encoded.
@@ -59,8 +59,8 @@ struct Errors {
 bool noise_dominates(const Errors& errors);
 
 // True if the worst 1 % of the pixels carry more than half of relMSE: then it tells of them (a lamp
-// where the reference has none), and relmse_99 of the picture.
-bool few_pixels_rule(const Errors& errors);
+// where the reference has none), and relmse_trimmed of the picture.
+bool outliers_dominate(const Errors& errors);
 
 struct Comparison {
   Errors frame;

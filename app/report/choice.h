@@ -30,9 +30,9 @@ struct Choice {
   bool met = false; // else nothing meets the limit, and this comes nearest to it
 };
 
-// `all` and `best`: the same methods by relMSE and by that of their best 99 % of pixels. The fastest
-// whose relMSE is within the error; or the most accurate within the budget, which goes by the best
-// 99 %, as else one pixel of a hundred decides. If nothing is within the limit: the most accurate,
+// `all` and `best`: the same pictures by relMSE and by 1 %-trimmed relMSE. The fastest whose relMSE is
+// within the error; or the most accurate within the budget, which goes by the trimmed one, as else
+// one pixel of a hundred decides. If nothing is within the limit: the most accurate,
 // or the fastest. Nothing if no point is finite or no limit is asked for.
 std::optional<Choice> choose(std::span<const Point> all, std::span<const Point> best,
                              const Limit& limit);

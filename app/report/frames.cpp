@@ -63,21 +63,20 @@ private:
 };
 
 std::string picture_key(const Subject& subject, const Plan& plan, const DeviceFacts& device,
-                        const Method& method) {
+                        const Method& method, int samples) {
   Key key;
   for (const std::string& text :
        {subject.key, key_of_frame_program(), device.backend, device.surface, device.name,
         device.driver, method.name, std::string(plan.correlated_smith ? "correlated" : ""),
         std::string(plan.multiple_scattering ? "multiple" : "")})
     key.add(text);
-  return key.add(plan.samples).text();
+  return key.add(samples).text();
 }
 
-image::Image draw(const Stage& stage, const Plan& plan, const Method& method,
-                  const std::string& what) {
-  const auto renderer = stage.renderer(method, plan.samples);
-  Progress progress(what, plan.samples);
-  for (int i = 0; i < plan.samples; ++i) {
+image::Image draw(const Stage& stage, const Method& method, int samples, const std::string& what) {
+  const auto renderer = stage.renderer(method, samples);
+  Progress progress(what, samples);
+  for (int i = 0; i < samples; ++i) {
     stop_if_asked();
     renderer->draw_sample(i);
     progress.update(i + 1);
@@ -94,15 +93,19 @@ void time_all(const std::vector<std::unique_ptr<Stage>>& stages, const Plan& pla
     for (const Method& method : plan.methods) {
       stop_if_asked();
       const std::size_t before = stage->device().memory_bytes();
-      renderers.push_back(stage->renderer(method, 1));
-      Cell& cell = cells[timed.size()];
-      cell.bytes = stage->environment_bytes() + stage->device().memory_bytes() - before;
-      cell.triangles = renderers.back()->triangle_count();
-      cell.lookups = renderers.back()->needs().lookups;
-      timed.push_back({&stage->device(), renderers.back().get()});
+      renderers.push_back(stage->renderer(method, plan.samples.front()));
+      const std::size_t bytes =
+          stage->environment_bytes() + stage->device().memory_bytes() - before;
+      for (const int samples : plan.samples) {
+        Cell& cell = cells[timed.size()];
+        cell.bytes = bytes;
+        cell.triangles = renderers.back()->triangle_count();
+        cell.lookups = renderers.back()->needs().lookups;
+        timed.push_back({&stage->device(), renderers.back().get(), samples});
+      }
     }
-  Progress progress(what + ": timing", plan.frames);
-  const std::vector<Timing> timings = time_in_turn(timed, plan.frames, [&](int round) {
+  Progress progress(what + ": timing", plan.pictures);
+  const std::vector<Timing> timings = time_in_turn(timed, plan.pictures, [&](int round) {
     stop_if_asked();
     progress.update(round);
   });
@@ -114,7 +117,7 @@ nlohmann::json times_of(const std::vector<Cell>& cells, const std::string& measu
   nlohmann::json list = nlohmann::json::array();
   for (const Cell& cell : cells) {
     nlohmann::json one = to_json(cell.timing);
-    one["bytes"] = cell.bytes;
+    one["device_memory_bytes"] = cell.bytes;
     one["triangles"] = cell.triangles;
     one["lookups"] = to_json(cell.lookups);
     list.push_back(std::move(one));
@@ -129,7 +132,7 @@ bool take_times(const std::optional<nlohmann::json>& times, Drawn& result) {
       std::vector<Cell> cells = result.cells;
       for (std::size_t i = 0; i < cells.size(); ++i) {
         cells[i].timing = timing_from(list.at(i));
-        cells[i].bytes = list.at(i).at("bytes");
+        cells[i].bytes = list.at(i).at("device_memory_bytes");
         cells[i].triangles = list.at(i).at("triangles");
         cells[i].lookups = lookups_from(list.at(i).at("lookups"));
       }
@@ -154,14 +157,17 @@ Drawn drawn(const Subject& subject, const Plan& plan, const Cache& cache, Device
   Key all;
   for (std::size_t d = 0; d < devices.count(); ++d) {
     const gpu::DeviceInfo& info = devices.at(d).info();
-    for (const Method& method : plan.methods) {
-      result.cells.push_back(
-          {.method = method.name, .device = {info.backend, info.surface, info.name, info.driver}});
-      result.picture_keys.push_back(picture_key(subject, plan, result.cells.back().device, method));
-      all.add(result.picture_keys.back());
-    }
+    for (const Method& method : plan.methods)
+      for (const int samples : plan.samples) {
+        result.cells.push_back({.method = method.name,
+                                .samples = samples,
+                                .device = {info.backend, info.surface, info.name, info.driver}});
+        result.picture_keys.push_back(
+            picture_key(subject, plan, result.cells.back().device, method, samples));
+        all.add(result.picture_keys.back());
+      }
   }
-  const std::string times_key = all.add(plan.frames).text();
+  const std::string times_key = all.add(plan.pictures).text();
 
   std::vector<std::unique_ptr<Stage>> stages(devices.count());
   const auto stage = [&](std::size_t d) -> const Stage& {
@@ -171,10 +177,12 @@ Drawn drawn(const Subject& subject, const Plan& plan, const Cache& cache, Device
   for (std::size_t i = 0; i < result.cells.size(); ++i) {
     const std::string& key = result.picture_keys[i];
     if (cache.has("picture", key, "exr")) continue;
-    const Method& method = plan.methods[i % plan.methods.size()];
-    const std::string what =
-        fmt::format("{}: {} on {}", subject.name, method.name, result.cells[i].device.backend);
-    const image::Image picture = draw(stage(i / plan.methods.size()), plan, method, what);
+    const std::size_t sets = plan.methods.size() * plan.samples.size(); // of a device
+    const Method& method = plan.methods[i % sets / plan.samples.size()];
+    const int samples = result.cells[i].samples;
+    const std::string what = fmt::format("{}: {}, {} samples on {}", subject.name, method.name,
+                                         samples, result.cells[i].device.backend);
+    const image::Image picture = draw(stage(i / sets), method, samples, what);
     if (const auto bad = image::find_non_finite(picture))
       throw Error(ExitCode::internal, what,
                   fmt::format("drew {} in pixel ({}, {})", bad->value, bad->x, bad->y),

@@ -23,7 +23,8 @@ private:
 };
 
 struct Drawn {
-  std::vector<Cell> cells; // device by device, method by method; without verdicts
+  std::vector<Cell>
+      cells; // device by device, method by method, sample count by sample count; without verdicts
   std::vector<std::string> picture_keys;
   std::string measured;     // when the times were taken
   std::size_t pictures = 0; // drawn in this run

@@ -26,44 +26,45 @@ std::vector<const Cell*> pictured(const Section& section) {
   return cells;
 }
 
-std::string image_tag(const Section& s, const std::string& uri, const std::string& attributes,
-                      const std::string& alternative) {
-  return fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" {} alt=\"{}\">\n", uri, s.width,
-                     s.height, attributes, escaped(alternative));
+std::string source(const Section& s, const std::string& uri, const std::string& name) {
+  return fmt::format("<img class=\"source\" hidden src=\"{}\" width=\"{}\" height=\"{}\" "
+                     "data-name=\"{}\" alt=\"{}\">\n",
+                     uri, s.width, s.height, escaped(name), escaped(name));
 }
 
-std::string compared(const Section& s, std::size_t number) {
+// Any two of the pictures, left and right of a line: assets/report/script.js draws them.
+std::string compared(const Section& s) {
   const std::vector<const Cell*> cells = pictured(s);
   if (cells.empty()) return {};
-  // Begins with the most accurate.
+  // Begins with the truth beside the most accurate.
   const Cell* const first = *std::ranges::min_element(
-      cells, {}, [](const Cell* cell) { return cell->verdict.objects.relmse; });
-  std::string html = "<figure class=\"compare\">\n<div class=\"stack\">\n";
-  html += image_tag(s, s.truth, "", "the truth");
-  std::string picks;
+      cells, {}, [](const Cell* cell) { return cell->verdict.objects.relmse_trimmed; });
+  std::vector<std::string> names{"truth"};
+  std::string html = "<figure class=\"compare\">\n" + source(s, s.truth, "truth");
   for (const Cell* cell : cells) {
-    const std::string name = escaped(cell->method);
-    const auto over = [&](const char* kind, const std::string& uri, bool shown) {
-      return image_tag(s, uri,
-                       fmt::format("class=\"over\" data-method=\"{}\" data-kind=\"{}\"{}", name,
-                                   kind, shown ? "" : " hidden"),
-                       std::string(kind) + " of " + cell->method);
-    };
-    html += over("picture", cell->picture, cell == first) + over("flip", cell->flip, false);
-    picks += fmt::format("<label><input type=\"radio\" name=\"method{}\" data-method=\"{}\"{}> "
-                         "{}</label>\n",
-                         number, name, cell == first ? " checked" : "", name);
+    names.push_back(cell->method);
+    html += source(s, cell->picture, cell->method);
   }
-  html += fmt::format("<span class=\"tag left\">truth</span><span class=\"tag right\">{}</span>\n"
-                      "</div>\n<input type=\"range\" min=\"0\" max=\"100\" step=\"0.1\" "
-                      "value=\"50\" aria-label=\"truth to the left, method to the right\">\n",
-                      escaped(first->method));
-  html += "<fieldset class=\"pick\">\n" + picks + "</fieldset>\n";
-  html +=
-      fmt::format("<fieldset class=\"pick\">\n<label><input type=\"radio\" name=\"kind{0}\" "
-                  "data-kind=\"picture\" checked> picture</label>\n<label><input type=\"radio\" "
-                  "name=\"kind{0}\" data-kind=\"flip\"> FLIP map</label>\n</fieldset>\n",
-                  number);
+  for (const Cell* cell : cells) {
+    names.push_back("FLIP of " + cell->method);
+    html += source(s, cell->flip, names.back());
+  }
+  const auto choose = [&](const char* side, const std::string& chosen) {
+    std::string options;
+    for (const std::string& name : names)
+      options +=
+          fmt::format("<option{}>{}</option>", name == chosen ? " selected" : "", escaped(name));
+    return fmt::format("<label>{0} <select data-side=\"{0}\">{1}</select></label>\n", side,
+                       options);
+  };
+  html += "<div class=\"pick\">\n" + choose("left", "truth") + choose("right", first->method)
+          + "</div>\n";
+  html += fmt::format("<canvas style=\"aspect-ratio: {} / {}\"></canvas>\n"
+                      "<input type=\"range\" min=\"0\" max=\"100\" step=\"0.1\" value=\"50\" "
+                      "aria-label=\"where left ends and right begins\">\n"
+                      "<p class=\"quiet\"><output>Wheel: zoom. Drag: move. Double click: the whole "
+                      "picture.</output></p>\n",
+                      s.width, s.height);
   return html + "</figure>\n";
 }
 
@@ -89,10 +90,10 @@ std::string facts(const Section& s) {
                                  escaped(s.environment));
   return paragraph(text, "quiet")
          + paragraph(fmt::format("Truth: {} samples per pixel, relative error {:.2g} %, {:.0f} s. "
-                                 "Pictures: {} samples per pixel. Times: {} frames of one sample "
-                                 "per pixel each, methods in turn, {}.",
-                                 s.truth_samples, 100.0 * s.truth_error, s.truth_seconds, s.samples,
-                                 s.cells.empty() ? 0 : s.cells.front().timing.frame.count,
+                                 "Each point is a picture: its time, of all its samples, and its "
+                                 "error. {} timed of each, in turn, {}.",
+                                 s.truth_samples, 100.0 * s.truth_error, s.truth_seconds,
+                                 s.cells.empty() ? 0 : s.cells.front().timing.picture.count,
                                  escaped(s.measured)),
                      "quiet");
 }
@@ -108,7 +109,7 @@ std::string those(const Section& s, bool (*holds)(const image::Errors&)) {
 // What a reader must know before believing the numbers.
 std::string remarks(const Section& s) {
   const std::string noisy = those(s, image::noise_dominates);
-  const std::string uneven = those(s, image::few_pixels_rule);
+  const std::string uneven = those(s, image::outliers_dominate);
   std::string html;
   if (!noisy.empty())
     html += paragraph("More than half of the relMSE is the truth's own noise for: " + noisy
@@ -117,7 +118,7 @@ std::string remarks(const Section& s) {
     html += paragraph(
         "One pixel in a hundred carries more than half of the relMSE for: " + uneven
         + ". It tells of those pixels alone, such as a lamp in a mirror that glass between them "
-          "should bend away; what the other 99 % have tells of the picture.");
+          "should bend away; the 1 %-trimmed one tells of the picture.");
   return html;
 }
 
@@ -129,31 +130,27 @@ std::string needs(const Section& s) {
   return "<h3>What the scene needs</h3>\n<pre>" + lines + "</pre>\n";
 }
 
-std::string commands(const Section& s) {
-  std::string lines = escaped(s.truth_command) + "\n";
-  for (const Cell& cell : s.cells)
-    lines += escaped(cell.command) + "\n";
-  return "<h3>Commands</h3>\n<pre>" + lines + "</pre>\n";
+std::string truth_command(const Section& s) {
+  return "<h3>The truth</h3>\n<pre>" + escaped(s.truth_command) + "</pre>\n";
 }
 
-std::string section_of(const Section& s, const Limit& limit, std::size_t number) {
-  std::string html =
-      fmt::format("<section id=\"{0}\">\n<h2>{0}</h2>\n", escaped(s.name)) + facts(s);
-  if (s.choice)
-    html += paragraph("To use: " + escaped(choice_text(s, limit)),
-                      s.choice->met ? "choice" : "choice unmet");
-  html += "<div class=\"side\">\n<div>\n" + compared(s, number) + scale() + "</div>\n<div>\n"
-          + plot(s, limit, Measure::all) + plot(s, limit, Measure::best_99) + "</div>\n</div>\n";
+std::string section_of(const Section& s, const Limit& limit) {
+  std::string html = fmt::format("<section id=\"{0}\">\n<h2>{0}</h2>\n", escaped(s.name))
+                     + paragraph(escaped(verdict_text(s, limit)),
+                                 s.choice && !s.choice->met ? "choice unmet" : "choice")
+                     + facts(s);
+  html += "<div class=\"side\">\n<div>\n" + compared(s) + scale() + "</div>\n<div>\n"
+          + plot(s, limit, Measure::trimmed) + plot(s, limit, Measure::all) + "</div>\n</div>\n";
   html += results_table(s) + remarks(s);
   const auto titled = [&](const char* title, const std::string& table) {
     if (!table.empty()) html += fmt::format("<h3>{}</h3>\n{}", title, table);
   };
-  titled("relMSE by material: of all pixels / of each object's best 99 %",
+  titled("relMSE by material: of all pixels / 1 %-trimmed in each object",
          groups_table(s, Grouping::material));
-  titled("relMSE by roughness: of all pixels / of each object's best 99 %",
+  titled("relMSE by roughness: of all pixels / 1 %-trimmed in each object",
          groups_table(s, Grouping::roughness));
-  titled("Milliseconds per pass: median, quartiles", passes_table(s));
-  return html + needs(s) + commands(s) + "</section>\n";
+  titled("Milliseconds per pass, all samples: median, quartiles", passes_table(s));
+  return html + needs(s) + truth_command(s) + "</section>\n";
 }
 
 std::string devices(const Report& report) {
@@ -173,14 +170,18 @@ std::string devices(const Report& report) {
 
 constexpr const char* reading =
     "relMSE is the mean of (x - r)² / (r² + 0.01) over RGB, in linear light, over the pixels that "
-    "shaded objects cover wholly (unlit ones are the same in every method); so are signed mean "
-    "(x - r) and p99 of |x - r|. Best 99 % is the relMSE without the hundredth of the pixels where "
+    "shaded objects cover wholly (unlit ones are the same in every method); so are bias, the mean "
+    "of "
+    "x - r, and p99 of |x - r|. 1 %-trimmed is the relMSE without the hundredth of the pixels "
+    "where "
     "it is largest; what is most accurate is told by it, --max-error by all pixels. Within noise "
-    "is the share of pixels whose difference is no larger than their truth's standard error: of "
-    "them nothing can be said. FLIP and PSNR are of the displayed picture: clamped, sRGB, 67 "
-    "pixels per degree. Lookups are those of the blurred surroundings that one pixel makes, at "
-    "most: of what is reflected, and for glass of what is refracted, of what leaves after total "
-    "reflection and of what is left over. Left of the line is the truth, right of it the method.";
+    "is "
+    "the share of pixels whose difference is no larger than their truth's standard error: of them "
+    "nothing can be said. FLIP and PSNR are of the displayed picture: clamped, sRGB, 67 pixels per "
+    "degree. Lookups are those of prefiltered pictures that one pixel makes per sample, at most: "
+    "of "
+    "what is reflected, and for glass of what is refracted, internally reflected and residual. A "
+    "line joins the points of one method from few samples to many.";
 
 } // namespace
 
@@ -192,9 +193,9 @@ std::string page(const Report& report) {
                      + read_text(assets / "style.css")
                      + "</style>\n</head>\n<body>\n"
                        "<h1>Speed against error</h1>\n";
-  html += devices(report) + paragraph(reading, "quiet") + summary_table(report);
-  for (std::size_t i = 0; i < report.sections.size(); ++i)
-    html += section_of(report.sections[i], report.limit, i);
+  html += summary_table(report) + devices(report) + paragraph(reading, "quiet");
+  for (const Section& section : report.sections)
+    html += section_of(section, report.limit);
   html +=
       fmt::format("<h3>This report</h3>\n<pre>{}</pre>\n<p class=\"quiet\">Groundglass {}</p>\n",
                   escaped(report.command), escaped(report.version));

@@ -42,11 +42,11 @@ class Panel {
 public:
   Panel(const Section& section, const Limit& limit, Measure measure)
       : section_(section), limit_(limit), measure_(measure),
-        front_(measure == Measure::all ? section.front : section.front_99) {
+        front_(measure == Measure::all ? section.front : section.front_trimmed) {
     double fast = INFINITY, slow = 0.0, good = INFINITY, bad = 0.0;
     for (const Cell& cell : section.cells) {
-      fast = std::min(fast, cell.timing.frame.low_quartile);
-      slow = std::max(slow, cell.timing.frame.high_quartile);
+      fast = std::min(fast, cell.timing.picture.low_quartile);
+      slow = std::max(slow, cell.timing.picture.high_quartile);
       good = std::min(good, drawable(error_of(cell, measure_)));
       bad = std::max(bad, drawable(error_of(cell, measure_)));
     }
@@ -59,6 +59,7 @@ public:
     axes();
     lines();
     front();
+    curves();
     for (std::size_t i = 0; i < section_.cells.size(); ++i)
       point(i);
     labels();
@@ -84,11 +85,11 @@ private:
     }
     add(R"(<path d="M{} {}V{}H{}" fill="none" stroke="#222"/>)", left, top, height - bottom,
         width - right);
-    add(R"(<text x="{:.1f}" y="{}" text-anchor="middle">milliseconds per frame, {} x {}</text>)",
+    add(R"(<text x="{:.1f}" y="{}" text-anchor="middle">milliseconds per picture, {} x {}</text>)",
         0.5 * (left + width - right), height - 10, section_.width, section_.height);
     add(R"svg(<text transform="translate(14 {:.1f}) rotate(-90)" text-anchor="middle">relMSE {}</text>)svg",
         0.5 * (top + height - bottom),
-        measure_ == Measure::all ? "over the objects" : "of the best 99 % of pixels");
+        measure_ == Measure::all ? "over the objects" : "over the objects, 1 %-trimmed");
     add(R"(<text x="{}" y="18" font-weight="bold">{}</text>)", left, escaped(section_.name));
     legend();
   }
@@ -110,7 +111,7 @@ private:
     double noise = 0.0;
     for (const Cell& cell : section_.cells)
       if (const auto& n = cell.verdict.objects.noise)
-        noise = std::max(noise, measure_ == Measure::all ? n->relmse : n->relmse_99);
+        noise = std::max(noise, measure_ == Measure::all ? n->relmse : n->relmse_trimmed);
     across(noise, "#777", "2 3", "the truth's noise");
     if (limit_.max_error && measure_ == Measure::all)
       across(*limit_.max_error, "#222", "6 3", "--max-error");
@@ -151,31 +152,52 @@ private:
         path, width - right);
   }
 
+  // From few samples to many, a method at a time.
+  void curves() {
+    std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> of;
+    for (std::size_t i = 0; i < section_.cells.size(); ++i)
+      of[{section_.cells[i].device.backend, section_.cells[i].method}].push_back(i);
+    for (auto& [name, cells] : of) {
+      if (cells.size() < 2) continue;
+      std::ranges::sort(cells, {}, [&](std::size_t i) { return section_.cells[i].samples; });
+      std::string path;
+      for (const std::size_t i : cells)
+        path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", at(i).x, at(i).y);
+      add(R"(<path class="curve" d="{}" fill="none" stroke="{}" stroke-opacity="0.7"/>)", path,
+          colour_of(name.second));
+    }
+  }
+
   void point(std::size_t i) {
     const Cell& cell = section_.cells[i];
     const auto [x, y] = at(i);
-    const Spread& ms = cell.timing.frame;
+    const Spread& ms = cell.timing.picture;
     const char* const colour = colour_of(cell.method);
-    add(R"(<g><title>{} on {}: {:.3g} ms (quartiles {:.3g} to {:.3g}), relMSE {:.3g}</title>)",
-        escaped(cell.method), escaped(cell.device.backend), ms.median, ms.low_quartile,
-        ms.high_quartile, error_of(cell, measure_));
+    add(R"(<g><title>{} on {}, {} samples: {:.3g} ms (quartiles {:.3g} to {:.3g}), relMSE {:.3g}</title>)",
+        escaped(cell.method), escaped(cell.device.backend), cell.samples, ms.median,
+        ms.low_quartile, ms.high_quartile, error_of(cell, measure_));
     add(R"(<path d="M{:.1f} {:.1f}H{:.1f}" stroke="{}" stroke-width="2"/>)",
         x_(std::max(ms.low_quartile, x_.low)), y, x_(std::max(ms.high_quartile, x_.low)), colour);
     const std::vector<std::string> all = backends();
     mark(x, y, static_cast<std::size_t>(std::ranges::find(all, cell.device.backend) - all.begin()),
-         colour);
+         colour, radius(cell.samples));
     svg_ += "</g>\n";
     taken_.push_back({x - 6, y - 6, x + 6, y + 6});
     taken_.push_back({x_(std::max(ms.low_quartile, x_.low)), y - 2,
                       x_(std::max(ms.high_quartile, x_.low)), y + 2});
   }
 
-  void mark(double x, double y, std::size_t backend, const char* colour) {
+  void mark(double x, double y, std::size_t backend, const char* colour, double r = 5.0) {
     if (backend % 2 == 0)
-      add(R"(<circle cx="{:.1f}" cy="{:.1f}" r="5" fill="{}"/>)", x, y, colour);
+      add(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="{}"/>)", x, y, r, colour);
     else
-      add(R"(<rect x="{:.1f}" y="{:.1f}" width="9" height="9" fill="{}"/>)", x - 4.5, y - 4.5,
-          colour);
+      add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", x - 0.9 * r,
+          y - 0.9 * r, 1.8 * r, 1.8 * r, colour);
+  }
+
+  // 3, 4, 5 for 1, 4, 16 samples, and no more.
+  static double radius(int samples) {
+    return std::min(6.0, 3.0 + 0.5 * std::log2(static_cast<double>(samples)));
   }
 
   // One label for a method, as near to its first point as there is room, with a line to the point
@@ -222,7 +244,7 @@ private:
   };
   Place at(std::size_t i) const {
     const Cell& cell = section_.cells[i];
-    return {x_(std::max(cell.timing.frame.median, 1e-3)), y_(drawable(error_of(cell, measure_)))};
+    return {x_(std::max(cell.timing.picture.median, 1e-3)), y_(drawable(error_of(cell, measure_)))};
   }
 
   std::vector<std::string> backends() const {
@@ -288,9 +310,9 @@ std::string plots(const Report& report) {
   const std::size_t columns = std::min(count, across), rows = (count + columns - 1) / columns;
   std::string inside;
   for (std::size_t i = 0; i < report.sections.size(); ++i)
-    for (const Measure measure : {Measure::all, Measure::best_99}) {
-      // A row by all pixels, and one by the best 99 % beneath it.
-      const std::size_t row = 2 * (i / columns) + (measure == Measure::all ? 0 : 1);
+    for (const Measure measure : {Measure::trimmed, Measure::all}) {
+      // A row by 1 %-trimmed relMSE, and one by that of all pixels beneath it.
+      const std::size_t row = 2 * (i / columns) + (measure == Measure::all ? 1 : 0);
       inside +=
           fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n",
                       static_cast<double>(i % columns) * width, static_cast<double>(row) * height,

@@ -15,6 +15,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace gg::report {
 namespace {
 
@@ -130,7 +132,6 @@ Section measure(const Subject& subject, const Plan& plan, const Cache& cache, De
                   .environment = subject.environment,
                   .width = subject.width,
                   .height = subject.height,
-                  .samples = plan.samples,
                   .objects = scene.objects,
                   .truth_samples = truth.samples,
                   .truth_error = truth.error,
@@ -146,17 +147,20 @@ Section measure(const Subject& subject, const Plan& plan, const Cache& cache, De
   for (std::size_t i = 0; i < section.cells.size(); ++i) {
     if (truth::Interruptible::requested()) throw Interrupted{};
     Cell& cell = section.cells[i];
-    // The page shows each method once: the backends draw the same, which the errors tell.
-    judge_cell(cache, shelf, truth, drawings.picture_keys[i], i < plan.methods.size(), cell);
-    cell.command =
-        fmt::format("groundglass capture {} -o {}.exr --backend {} --method {} --samples {}",
-                    subject.options, cell.method, cell.device.backend, cell.method, plan.samples);
+    // The page shows each method once, with the most samples: the backends draw the same, which the
+    // errors tell.
+    const bool is_shown = i < plan.methods.size() * plan.samples.size()
+                          && cell.samples == std::ranges::max(plan.samples);
+    judge_cell(cache, shelf, truth, drawings.picture_keys[i], is_shown, cell);
+    cell.command = fmt::format(
+        "groundglass capture {} -o {}-{}.exr --backend {} --method {} --samples {}",
+        subject.options, cell.method, cell.samples, cell.device.backend, cell.method, cell.samples);
     progress.update(static_cast<long>(i + 1));
   }
   const std::vector<Point> all = points_of(section.cells, Measure::all);
-  const std::vector<Point> best = points_of(section.cells, Measure::best_99);
+  const std::vector<Point> best = points_of(section.cells, Measure::trimmed);
   section.front = pareto_front(all);
-  section.front_99 = pareto_front(best);
+  section.front_trimmed = pareto_front(best);
   section.choice = choose(all, best, plan.limit);
   return section;
 }

@@ -22,12 +22,12 @@ json to_json(const Spread& s) {
           {"high_quartile", s.high_quartile},
           {"min", s.least},
           {"max", s.most},
-          {"frames", s.count}};
+          {"pictures", s.count}};
 }
 
 Spread spread_from(const json& ms) {
   return {ms.at("median"), ms.at("low_quartile"), ms.at("high_quartile"),
-          ms.at("min"),    ms.at("max"),          ms.at("frames")};
+          ms.at("min"),    ms.at("max"),          ms.at("pictures")};
 }
 
 json to_json(const std::vector<Group>& groups) {
@@ -36,8 +36,8 @@ json to_json(const std::vector<Group>& groups) {
     list.push_back({{"name", g.name},
                     {"pixels", g.pixels},
                     {"relmse", g.relmse},
-                    {"relmse_99", g.relmse_99},
-                    {"signed_mean", g.signed_mean},
+                    {"relmse_trimmed", g.relmse_trimmed},
+                    {"bias", g.bias},
                     {"flip", g.flip},
                     {"noise", g.noise}});
   return list;
@@ -46,27 +46,27 @@ json to_json(const std::vector<Group>& groups) {
 std::vector<Group> groups_from(const json& list) {
   std::vector<Group> groups;
   for (const json& g : list)
-    groups.push_back({g.at("name"), g.at("pixels"), g.at("relmse"), g.at("relmse_99"),
-                      g.at("signed_mean"), g.at("flip"), g.at("noise")});
+    groups.push_back({g.at("name"), g.at("pixels"), g.at("relmse"), g.at("relmse_trimmed"),
+                      g.at("bias"), g.at("flip"), g.at("noise")});
   return groups;
 }
 
 image::Errors errors_from(const json& value) {
   image::Errors e{.pixels = value.at("pixels"),
                   .relmse = value.at("relmse"),
-                  .relmse_99 = value.at("relmse_99"),
+                  .relmse_trimmed = value.at("relmse_trimmed"),
                   .rmse = value.at("rmse"),
-                  .signed_mean = value.at("signed_mean"),
+                  .bias = value.at("bias"),
                   .reference_mean = value.at("reference_mean"),
-                  .p99 = value.at("p99"),
+                  .p99 = value.at("absolute_difference_p99"),
                   .psnr = std::numeric_limits<double>::infinity(),
                   .flip = value.at("flip")};
-  if (!value.at("psnr").is_null()) e.psnr = value.at("psnr");
+  if (!value.at("psnr_db").is_null()) e.psnr = value.at("psnr_db");
   if (const auto n = value.find("noise"); n != value.end())
     e.noise = image::Noise{.relmse = n->at("relmse"),
-                           .relmse_99 = n->at("relmse_99"),
+                           .relmse_trimmed = n->at("relmse_trimmed"),
                            .rmse = n->at("rmse"),
-                           .signed_mean = n->at("signed_mean"),
+                           .bias = n->at("bias"),
                            .pixels_within = n->at("pixels_within"),
                            .of_reference = n->at("of_reference"),
                            .of_test = n->at("of_test")};
@@ -84,13 +84,13 @@ Spread spread_of(std::vector<double> values) {
 
 double error_of(const Cell& cell, Measure measure) {
   const image::Errors& e = cell.verdict.objects;
-  return measure == Measure::all ? e.relmse : e.relmse_99;
+  return measure == Measure::all ? e.relmse : e.relmse_trimmed;
 }
 
 std::vector<Point> points_of(const std::vector<Cell>& cells, Measure measure) {
   std::vector<Point> points;
   for (const Cell& cell : cells)
-    points.push_back({cell.timing.frame.median, error_of(cell, measure)});
+    points.push_back({cell.timing.picture.median, error_of(cell, measure)});
   return points;
 }
 
@@ -98,11 +98,11 @@ json to_json(const Timing& timing) {
   json passes = json::array();
   for (const auto& [label, spread] : timing.passes)
     passes.push_back({{"pass", label}, {"ms", to_json(spread)}});
-  return {{"ms", to_json(timing.frame)}, {"passes", passes}};
+  return {{"picture_ms", to_json(timing.picture)}, {"passes", passes}};
 }
 
 Timing timing_from(const json& value) {
-  Timing timing{.frame = spread_from(value.at("ms"))};
+  Timing timing{.picture = spread_from(value.at("picture_ms"))};
   for (const json& pass : value.at("passes"))
     timing.passes.emplace_back(pass.at("pass"), spread_from(pass.at("ms")));
   return timing;
@@ -111,19 +111,19 @@ Timing timing_from(const json& value) {
 json to_json(const image::Errors& e) {
   json result{{"pixels", e.pixels},
               {"relmse", e.relmse},
-              {"relmse_99", e.relmse_99},
-              {"few_pixels_rule", image::few_pixels_rule(e)},
+              {"relmse_trimmed", e.relmse_trimmed},
+              {"outliers_dominate", image::outliers_dominate(e)},
               {"rmse", e.rmse},
-              {"signed_mean", e.signed_mean},
+              {"bias", e.bias},
               {"reference_mean", e.reference_mean},
-              {"p99", e.p99},
-              {"psnr", std::isfinite(e.psnr) ? json(e.psnr) : json()}, // null: equal
+              {"absolute_difference_p99", e.p99},
+              {"psnr_db", std::isfinite(e.psnr) ? json(e.psnr) : json()}, // null: equal
               {"flip", e.flip}};
   if (e.noise)
     result["noise"] = {{"relmse", e.noise->relmse},
-                       {"relmse_99", e.noise->relmse_99},
+                       {"relmse_trimmed", e.noise->relmse_trimmed},
                        {"rmse", e.noise->rmse},
-                       {"signed_mean", e.noise->signed_mean},
+                       {"bias", e.noise->bias},
                        {"pixels_within", e.noise->pixels_within},
                        {"of_reference", e.noise->of_reference},
                        {"of_test", e.noise->of_test},
@@ -148,15 +148,15 @@ Verdict verdict_from(const json& value) {
 nlohmann::json to_json(const needs::Lookups& l) {
   return {{"reflected", l.reflected},
           {"refracted", l.refracted},
-          {"bounced", l.bounced},
-          {"left_over", l.left_over}};
+          {"internally_reflected", l.bounced},
+          {"residual", l.left_over}};
 }
 
 needs::Lookups lookups_from(const nlohmann::json& value) {
   return {.reflected = value.at("reflected"),
           .refracted = value.at("refracted"),
-          .bounced = value.at("bounced"),
-          .left_over = value.at("left_over")};
+          .bounced = value.at("internally_reflected"),
+          .left_over = value.at("residual")};
 }
 
 } // namespace gg::report

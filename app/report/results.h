@@ -23,10 +23,10 @@ struct Spread {
 // Quantiles by linear interpolation between order statistics; all 0 for no values.
 Spread spread_of(std::vector<double> values);
 
-// Milliseconds of one frame of one sample per pixel: by the clock, device idle before and after;
-// and of each pass by the device's own timers, in the order of the frame.
+// Milliseconds of one picture, all its samples: by the clock, device idle before and after; and of
+// each pass, summed over the samples, by the device's own timers, in the order of the frame.
 struct Timing {
-  Spread frame;
+  Spread picture;
   std::vector<std::pair<std::string, Spread>> passes;
 };
 
@@ -34,7 +34,7 @@ struct Timing {
 struct Group {
   std::string name;
   std::size_t pixels = 0;
-  double relmse = 0.0, relmse_99 = 0.0, signed_mean = 0.0, flip = 0.0; // 99 %: of each object
+  double relmse = 0.0, relmse_trimmed = 0.0, bias = 0.0, flip = 0.0; // trimmed: in each object
   double noise = 0.0; // the part of relmse that the truth's noise explains
 };
 
@@ -50,12 +50,13 @@ struct DeviceFacts {
   std::string backend, surface, name, driver;
 };
 
-// One method on one backend.
+// One picture: a method with so many samples per pixel, on one backend. Times and errors are of it.
 struct Cell {
   std::string method;
+  int samples = 1;
   needs::Lookups lookups; // of the blurred surroundings, of one pixel, at most
   DeviceFacts device;
-  std::size_t bytes = 0; // device memory of the frame at one sample per pixel, environment included
+  std::size_t bytes = 0; // device memory of the frame, environment included
   std::size_t triangles = 0;
   Timing timing;
   Verdict verdict;
@@ -65,7 +66,7 @@ struct Cell {
 
 struct Section {
   std::string name, path, environment;
-  int width = 0, height = 0, samples = 0; // of the pictures; frames are timed at one sample
+  int width = 0, height = 0;
   std::size_t objects = 0;
   long truth_samples = 0;
   double truth_error = 0.0, truth_seconds = 0.0; // relative, as `truth` states it; 0 s: not traced
@@ -73,7 +74,7 @@ struct Section {
   std::string truth_command;
   std::vector<std::string> needs; // lines; empty: nothing is known
   std::vector<Cell> cells;
-  std::vector<std::size_t> front, front_99; // Pareto fronts by Measure, by rising time
+  std::vector<std::size_t> front, front_trimmed; // Pareto fronts by Measure, by rising time
   std::optional<Choice> choice;
   std::string measured; // date of the timing, ISO 8601, UTC
 };
@@ -84,8 +85,8 @@ struct Report {
   std::vector<Section> sections;
 };
 
-// Errors to draw against time: relMSE over the objects, of all their pixels or of the best 99 %.
-enum class Measure { all, best_99 };
+// Errors to draw against time: relMSE over the objects, of all their pixels or 1 %-trimmed.
+enum class Measure { all, trimmed };
 double error_of(const Cell& cell, Measure measure);
 // What a front is made of, with the median of the milliseconds.
 std::vector<Point> points_of(const std::vector<Cell>& cells, Measure measure);

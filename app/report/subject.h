@@ -50,8 +50,8 @@ struct Plan {
   // Each is opened at most once, when it is needed. The text is how --backend names it.
   std::vector<std::pair<std::string, std::function<std::unique_ptr<gpu::Device>()>>> devices;
   bool correlated_smith = false, multiple_scattering = false;
-  int samples = 16; // sub-pixel samples of a picture
-  int frames = 20;  // to be timed
+  std::vector<int> samples = {1, 4, 16}; // per pixel: a picture of each by every method
+  int pictures = 20;                     // to be timed, of each
   long truth_samples = 256;
   double truth_error = 0.0; // not 0: goes on until it is reached, whatever the samples
   Limit limit;

@@ -27,10 +27,21 @@ std::string head(const std::vector<std::string>& names) {
   return cells;
 }
 
+// The cells that have a column in tables by group and by pass: those of the most samples.
+std::vector<const Cell*> columns_of(const Section& section) {
+  int most = 0;
+  for (const Cell& cell : section.cells)
+    most = std::max(most, cell.samples);
+  std::vector<const Cell*> columns;
+  for (const Cell& cell : section.cells)
+    if (cell.samples == most) columns.push_back(&cell);
+  return columns;
+}
+
 std::vector<std::string> column_names(const Section& section, const std::string& first) {
   std::vector<std::string> names{first};
-  for (const Cell& cell : section.cells)
-    names.push_back(cell_name(section, cell));
+  for (const Cell* cell : columns_of(section))
+    names.push_back(cell_name(section, *cell));
   return names;
 }
 
@@ -49,10 +60,15 @@ std::string lookups_of(const needs::Lookups& l) {
 } // namespace
 
 std::string cell_name(const Section& section, const Cell& cell) {
-  const bool several = std::ranges::any_of(section.cells, [&](const Cell& other) {
-    return other.device.backend != cell.device.backend;
-  });
-  return several ? cell.method + " on " + cell.device.backend : cell.method;
+  const auto differs = [&](auto what) {
+    return std::ranges::any_of(section.cells,
+                               [&](const Cell& other) { return what(other) != what(cell); });
+  };
+  std::string name = cell.method;
+  if (differs([](const Cell& c) { return c.samples; }))
+    name += fmt::format(", {} sample{}", cell.samples, cell.samples == 1 ? "" : "s");
+  if (differs([](const Cell& c) { return c.device.backend; })) name += " on " + cell.device.backend;
+  return name;
 }
 
 std::string choice_text(const Section& section, const Limit& limit) {
@@ -60,9 +76,9 @@ std::string choice_text(const Section& section, const Limit& limit) {
   const Cell& cell = section.cells[section.choice->index];
   const image::Errors& e = cell.verdict.objects;
   std::string is = fmt::format("{}: {:.3g} ms, relMSE {:.3g}", cell_name(section, cell),
-                               cell.timing.frame.median, e.relmse);
-  if (image::few_pixels_rule(e))
-    is += fmt::format(", which few pixels rule: the best 99 % have {:.3g}", e.relmse_99);
+                               cell.timing.picture.median, e.relmse);
+  if (image::outliers_dominate(e))
+    is += fmt::format(", which outliers dominate: 1 %-trimmed it is {:.3g}", e.relmse_trimmed);
   if (limit.max_error)
     return section.choice->met
                ? fmt::format("{} (the fastest with a relMSE of at most {:g})", is, *limit.max_error)
@@ -73,6 +89,27 @@ std::string choice_text(const Section& section, const Limit& limit) {
              : fmt::format("no method takes at most {:g} ms; the nearest is {}", *limit.budget, is);
 }
 
+std::string verdict_text(const Section& section, const Limit& limit) {
+  if (section.front_trimmed.empty()) return {};
+  if (section.choice) return "To use: " + choice_text(section, limit) + ".";
+  const Cell& best = section.cells[section.front_trimmed.back()];
+  const double error = best.verdict.objects.relmse_trimmed;
+  std::string text =
+      fmt::format("The most accurate is {}: relMSE {:.3g} (1 %-trimmed) in {:.3g} ms",
+                  cell_name(section, best), error, best.timing.picture.median);
+  const auto usual = std::ranges::find_if(section.cells, [&](const Cell& c) {
+    return c.method == "standard" && c.samples == best.samples
+           && c.device.backend == best.device.backend;
+  });
+  if (usual == section.cells.end() || &*usual == &best || !(error > 0.0)) return text + ".";
+  return text
+         + fmt::format(
+             "; standard, with as many samples, has {:.2g} times the error in {:.2g} times "
+             "the time.",
+             usual->verdict.objects.relmse_trimmed / error,
+             usual->timing.picture.median / best.timing.picture.median);
+}
+
 std::string results_table(const Section& section) {
   std::string rows;
   for (std::size_t i = 0; i < section.cells.size(); ++i) {
@@ -80,23 +117,26 @@ std::string results_table(const Section& section) {
     const image::Errors& e = cell.verdict.objects;
     const bool chosen = section.choice && section.choice->index == i;
     const bool all = std::ranges::find(section.front, i) != section.front.end();
-    const bool best = std::ranges::find(section.front_99, i) != section.front_99.end();
+    const bool best = std::ranges::find(section.front_trimmed, i) != section.front_trimmed.end();
     rows += chosen ? "<tr class=\"chosen\">" : "<tr>";
-    rows += td(escaped(cell_name(section, cell))) + td(times(cell.timing.frame))
-            + td(fmt::format("{:.3g}", e.relmse)) + td(fmt::format("{:.3g}", e.relmse_99))
+    rows += td(escaped(cell_name(section, cell))) + td(times(cell.timing.picture))
+            + td(fmt::format("{:.3g}", e.relmse)) + td(fmt::format("{:.3g}", e.relmse_trimmed))
             + td(all && best ? "both"
                  : all       ? "relMSE"
-                 : best      ? "99 %"
+                 : best      ? "trimmed"
                              : "")
             + td(fmt::format("{:.4f}", e.flip))
             + td(std::isfinite(e.psnr) ? fmt::format("{:.1f}", e.psnr) : "equal")
-            + td(fmt::format("{:+.2g}", e.signed_mean)) + td(fmt::format("{:.3g}", e.p99))
+            + td(fmt::format("{:+.2g}", e.bias)) + td(fmt::format("{:.3g}", e.p99))
             + td(e.noise ? fmt::format("{:.0f} %", 100.0 * e.noise->pixels_within) : "")
             + td(fmt::format("{:.1f}", static_cast<double>(cell.bytes) / (1024.0 * 1024.0)))
-            + td(lookups_of(cell.lookups)) + "</tr>\n";
+            + td(lookups_of(cell.lookups))
+            + td(fmt::format("<details><summary>show</summary><code>{}</code></details>",
+                             escaped(cell.command)))
+            + "</tr>\n";
   }
-  return table(head({"method", "ms, quartiles", "relMSE", "best 99 %", "Pareto front", "FLIP",
-                     "PSNR dB", "signed mean", "p99", "within noise", "MiB", "lookups"}),
+  return table(head({"method", "ms, quartiles", "relMSE", "1 %-trimmed", "Pareto front", "FLIP",
+                     "PSNR dB", "bias", "p99", "within noise", "MiB", "lookups", "command"}),
                rows);
 }
 
@@ -104,18 +144,19 @@ std::string groups_table(const Section& section, Grouping grouping) {
   const auto groups_of = [&](const Cell& cell) -> const std::vector<Group>& {
     return grouping == Grouping::material ? cell.verdict.by_class : cell.verdict.by_roughness;
   };
-  if (section.cells.empty() || groups_of(section.cells.front()).empty()) return {};
+  const std::vector<const Cell*> columns = columns_of(section);
+  if (columns.empty() || groups_of(*columns.front()).empty()) return {};
   std::string rows;
-  for (std::size_t g = 0; g < groups_of(section.cells.front()).size(); ++g) {
-    const Group& first = groups_of(section.cells.front())[g];
+  for (std::size_t g = 0; g < groups_of(*columns.front()).size(); ++g) {
+    const Group& first = groups_of(*columns.front())[g];
     double least = INFINITY;
-    for (const Cell& cell : section.cells)
-      least = std::min(least, groups_of(cell)[g].relmse_99);
+    for (const Cell* cell : columns)
+      least = std::min(least, groups_of(*cell)[g].relmse_trimmed);
     rows += "<tr>" + td(escaped(first.name));
-    for (const Cell& cell : section.cells) {
-      const Group& group = groups_of(cell)[g];
-      rows += td(fmt::format("{:.3g} / {:.3g}", group.relmse, group.relmse_99),
-                 group.relmse_99 <= least);
+    for (const Cell* cell : columns) {
+      const Group& group = groups_of(*cell)[g];
+      rows += td(fmt::format("{:.3g} / {:.3g}", group.relmse, group.relmse_trimmed),
+                 group.relmse_trimmed <= least);
     }
     rows += td(fmt::format("{:.2g}", first.noise)) + td(std::to_string(first.pixels)) + "</tr>\n";
   }
@@ -128,10 +169,11 @@ std::string groups_table(const Section& section, Grouping grouping) {
 std::string passes_table(const Section& section) {
   // Of all methods, in the order of the frame: what one method has alone stands behind the pass that
   // comes before it there.
+  const std::vector<const Cell*> columns = columns_of(section);
   std::vector<std::string> labels;
-  for (const Cell& cell : section.cells) {
+  for (const Cell* cell : columns) {
     auto at = labels.begin();
-    for (const auto& [label, spread] : cell.timing.passes) {
+    for (const auto& [label, spread] : cell->timing.passes) {
       const auto found = std::ranges::find(labels, label);
       at = found == labels.end() ? labels.insert(at, label) + 1 : found + 1;
     }
@@ -139,10 +181,10 @@ std::string passes_table(const Section& section) {
   std::string rows;
   for (const std::string& label : labels) {
     rows += "<tr>" + td(escaped(label));
-    for (const Cell& cell : section.cells) {
+    for (const Cell* cell : columns) {
       const auto found =
-          std::ranges::find(cell.timing.passes, label, &std::pair<std::string, Spread>::first);
-      rows += td(found == cell.timing.passes.end() ? "" : times(found->second));
+          std::ranges::find(cell->timing.passes, label, &std::pair<std::string, Spread>::first);
+      rows += td(found == cell->timing.passes.end() ? "" : times(found->second));
     }
     rows += "</tr>\n";
   }
@@ -152,22 +194,21 @@ std::string passes_table(const Section& section) {
 std::string summary_table(const Report& report) {
   std::string rows;
   for (const Section& s : report.sections) {
-    if (s.front_99.empty()) continue;
+    if (s.front_trimmed.empty()) continue;
     const auto cell = [&](std::size_t i) {
       const Cell& c = s.cells[i];
       return td(fmt::format("{}: {:.3g} ms, {:.3g} / {:.3g}", escaped(cell_name(s, c)),
-                            c.timing.frame.median, error_of(c, Measure::all),
-                            error_of(c, Measure::best_99)));
+                            c.timing.picture.median, error_of(c, Measure::all),
+                            error_of(c, Measure::trimmed)));
     };
     rows += "<tr>" + td(fmt::format("<a href=\"#{0}\">{0}</a>", escaped(s.name)))
-            + cell(s.front_99.front()) + cell(s.front_99.back());
+            + cell(s.front_trimmed.front()) + cell(s.front_trimmed.back());
     if (report.limit.asked())
       rows += s.choice ? cell(s.choice->index) + td(s.choice->met ? "" : "not within the limit")
                        : td("") + td("");
     rows += "</tr>\n";
   }
-  std::vector<std::string> names{"scene", "fastest: ms, relMSE / of the best 99 %",
-                                 "most accurate"};
+  std::vector<std::string> names{"scene", "fastest: ms, relMSE / 1 %-trimmed", "most accurate"};
   if (report.limit.asked()) names.insert(names.end(), {"to use", ""});
   return table(head(names), rows);
 }

@@ -13,17 +13,27 @@ double ms_since(Clock::time_point start) {
 }
 
 struct Samples {
-  std::vector<double> frames;
+  std::vector<double> pictures;
   std::map<std::string, std::vector<double>> passes;
 };
 
-// The passes' own timers are read in a frame of their own: reading them waits for the device.
-void measure(const Timed& timed, Samples& samples) {
+// Sets the renderer to the picture, with a frame after it: what is made for it is not timed.
+void prepare(const Timed& timed) {
+  frame::FrameDesc desc = timed.renderer->desc();
+  if (desc.samples == timed.samples) return;
+  desc.samples = timed.samples;
+  timed.renderer->set(desc);
+  timed.renderer->draw_sample(0);
+}
+
+void measure(const Timed& timed, bool passes, Samples& samples) {
+  prepare(timed);
   timed.device->finish();
   const auto start = Clock::now();
   timed.renderer->draw();
   timed.device->finish();
-  samples.frames.push_back(ms_since(start));
+  samples.pictures.push_back(ms_since(start));
+  if (!passes) return;
   std::map<std::string, double> times;
   timed.renderer->draw(&times);
   for (const auto& [label, ms] : times)
@@ -31,7 +41,7 @@ void measure(const Timed& timed, Samples& samples) {
 }
 
 Timing timing_of(const Timed& timed, Samples samples) {
-  Timing timing{.frame = spread_of(std::move(samples.frames))};
+  Timing timing{.picture = spread_of(std::move(samples.pictures))};
   // A label that stands for several passes is one sum.
   for (const std::string& label : timed.renderer->pass_labels())
     if (const auto found = samples.passes.extract(label))
@@ -41,18 +51,23 @@ Timing timing_of(const Timed& timed, Samples samples) {
 
 } // namespace
 
-std::vector<Timing> time_in_turn(const std::vector<Timed>& timed, int frames,
+std::vector<Timing> time_in_turn(const std::vector<Timed>& timed, int pictures,
                                  const std::function<void(int)>& progress) {
   std::vector<Samples> samples(timed.size());
+  for (const Timed& one : timed)
+    for (int i = 0; i < warm_up_frames; ++i) {
+      prepare(one);
+      one.renderer->draw_sample(0);
+      one.device->finish();
+    }
   const auto start = Clock::now();
-  for (int round = -warm_up_rounds; round < frames; ++round) {
+  for (int round = 0; round < pictures; ++round) {
     if (round >= least_rounds && ms_since(start) > patience_ms) break;
     for (std::size_t k = 0; k < timed.size(); ++k) {
-      const std::size_t i = (k + static_cast<std::size_t>(round + warm_up_rounds)) % timed.size();
-      Samples warm_up;
-      measure(timed[i], round < 0 ? warm_up : samples[i]);
+      const std::size_t i = (k + static_cast<std::size_t>(round)) % timed.size();
+      measure(timed[i], round < pass_rounds, samples[i]);
     }
-    if (round >= 0) progress(round + 1);
+    progress(round + 1);
   }
   std::vector<Timing> timings;
   for (std::size_t i = 0; i < timed.size(); ++i)

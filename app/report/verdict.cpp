@@ -12,8 +12,8 @@ void add(Group& group, const image::Errors& e) {
   const auto weight = static_cast<double>(e.pixels);
   group.pixels += e.pixels;
   group.relmse += weight * e.relmse;
-  group.relmse_99 += weight * e.relmse_99;
-  group.signed_mean += weight * e.signed_mean;
+  group.relmse_trimmed += weight * e.relmse_trimmed;
+  group.bias += weight * e.bias;
   group.flip += weight * e.flip;
   if (e.noise) group.noise += weight * e.noise->relmse;
 }
@@ -23,8 +23,8 @@ std::vector<Group> finished(const std::map<std::string, Group>& sums) {
   for (const auto& [name, sum] : sums) {
     if (sum.pixels == 0) continue;
     const auto weight = static_cast<double>(sum.pixels);
-    groups.push_back({name, sum.pixels, sum.relmse / weight, sum.relmse_99 / weight,
-                      sum.signed_mean / weight, sum.flip / weight, sum.noise / weight});
+    groups.push_back({name, sum.pixels, sum.relmse / weight, sum.relmse_trimmed / weight,
+                      sum.bias / weight, sum.flip / weight, sum.noise / weight});
   }
   return groups;
 }

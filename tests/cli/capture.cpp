@@ -210,6 +210,22 @@ TEST(capture, takes_environments_by_name_and_asks_whether_another_was_meant) {
   EXPECT_NE(wrong.err.find("Did you mean studio_small_03?"), std::string::npos) << wrong.err;
 }
 
+TEST(convert_command, shows_radiance_as_capture_does) {
+  const auto draw = [](const char* name) {
+    EXPECT_EQ(run_program({"capture", suzanne, "-o", out(name), "--env", sky, "--size", "32x24",
+                           "--samples", "1", "--exposure", "1"})
+                  .code,
+              0);
+  };
+  draw("radiance.exr");
+  draw("shown.png");
+  ASSERT_EQ(
+      run_program({"convert", out("radiance.exr"), "-o", out("again.png"), "--exposure", "1"}).code,
+      0);
+  EXPECT_EQ(bytes(out("again.png")), bytes(out("shown.png")));
+  EXPECT_EQ(run_program({"convert", out("radiance.exr"), "-o", out("again.gif")}).code, 2);
+}
+
 TEST(list_command, names_what_the_options_take) {
   const Finished all = run_program({"list"});
   EXPECT_EQ(all.code, 0);

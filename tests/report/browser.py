@@ -3,8 +3,8 @@
 
     tests/report/browser.py REPORT.html [--screenshots DIR]
 
-At the widths of a phone (375 px) and of a desktop (1280 px): every picture loads, the slider and the pointer move the
-line, every method and its FLIP map can be shown, alone, nothing is wider than the window, and no two texts of a plot
+At the widths of a phone (375 px) and of a desktop (1280 px): every picture loads, every one can be put left or right of
+the line, the wheel zooms, values under the pointer are told, nothing is wider than the window, and no two texts of a plot
 cover each other. Needs Debian's chromium package; run by hand, after a change to assets/report, app/report/page.cpp or
 app/report/plot.cpp.
 """
@@ -25,30 +25,34 @@ CHECK = """
   const images = [...document.images];
   await Promise.all(images.map((image) => image.decode().catch(() => need(false, "does not load: " + image.alt))));
   for (const image of images) need(image.naturalWidth > 1, "is empty: " + image.alt);
-  const edge = (element) => getComputedStyle(element).clipPath.match(/([0-9.]+)%\\)$/)?.[1];
+  const frame = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
   for (const figure of document.querySelectorAll(".compare")) {
-    const stack = figure.querySelector(".stack"), slider = figure.querySelector("input[type=range]");
-    const shown = () => [...stack.querySelectorAll(".over")].filter((image) => image.checkVisibility());
-    for (const at of [0, 20, 100, 50]) {
-      slider.value = at;
-      slider.dispatchEvent(new Event("input"));
-      need(Math.abs(edge(shown()[0]) - at) < 0.2, `the slider at ${at} leaves the line at ${edge(shown()[0])}`);
+    const canvas = figure.querySelector("canvas"), slider = figure.querySelector("input[type=range]");
+    const [left, right] = ["left", "right"].map((side) => figure.querySelector(`[data-side=${side}]`));
+    const drawn = () => canvas.toDataURL(), output = figure.querySelector("output");
+    await frame();
+    const names = [...right.options].map((option) => option.value);
+    need(names.length >= 3 && names.includes("truth"), "has too little to choose from: " + names);
+    need(names.length === figure.querySelectorAll(".source").length, "a picture cannot be chosen");
+    const pictures = new Set();
+    slider.value = 0; // the right one alone
+    for (const name of names) {
+      right.value = name;
+      right.dispatchEvent(new Event("change"));
+      pictures.add(drawn());
     }
-    const box = stack.getBoundingClientRect();
-    try { // a made-up pointer moves the line, but cannot be captured
-      stack.dispatchEvent(new PointerEvent("pointerdown", { clientX: box.left + 0.75 * box.width, pointerId: 1 }));
-    } catch {}
-    need(Math.abs(slider.value - 75) < 0.5, `the pointer at 75 leaves the slider at ${slider.value}`);
-    need(Math.abs(stack.querySelector("img").getBoundingClientRect().width - box.width) < 1, "a picture is not as wide as its box");
-    for (const kind of figure.querySelectorAll("[data-kind][type=radio]"))
-      for (const method of figure.querySelectorAll("[data-method][type=radio]")) {
-        method.click();
-        kind.click();
-        const now = shown();
-        need(now.length === 1 && now[0].dataset.method === method.dataset.method && now[0].dataset.kind === kind.dataset.kind,
-             `${method.dataset.method}, ${kind.dataset.kind}: ${now.length} pictures shown`);
-      }
-    need(figure.querySelectorAll("[data-method][type=radio]").length > 0, "no methods to choose from");
+    need(pictures.size === names.length, `${names.length} pictures look like ${pictures.size}`);
+    slider.value = 100;
+    slider.dispatchEvent(new Event("input"));
+    need(left.value === "truth", "does not begin with the truth");
+    const whole = drawn(), box = canvas.getBoundingClientRect();
+    const at = { clientX: box.left + 0.5 * box.width, clientY: box.top + 0.5 * box.height, bubbles: true, cancelable: true };
+    canvas.dispatchEvent(new WheelEvent("wheel", { ...at, deltaY: -500 }));
+    need(drawn() !== whole, "the wheel does not zoom");
+    canvas.dispatchEvent(new PointerEvent("pointermove", at));
+    need(/\\(\\d+, \\d+\\)  truth: \\d+ \\d+ \\d+  /.test(output.textContent), "tells no values: " + output.textContent);
+    canvas.dispatchEvent(new MouseEvent("dblclick", at));
+    need(drawn() === whole, "a double click does not show the whole picture");
   }
   need(document.querySelectorAll(".compare").length > 0, "no pictures to compare");
   need(document.documentElement.scrollWidth <= innerWidth,

@@ -64,9 +64,9 @@ TEST(report_command, writes_a_page_numbers_and_plots_and_a_second_run_does_nothi
   EXPECT_EQ(scene.at("truth").at("samples"), 8);
   ASSERT_EQ(scene.at("cells").size(), 2u);
   for (const auto& cell : scene.at("cells")) {
-    EXPECT_GT(cell.at("ms").at("median"), 0.0);
-    EXPECT_EQ(cell.at("ms").at("frames"), 5);
-    EXPECT_GT(cell.at("bytes"), 64 * 64 * 16);
+    EXPECT_GT(cell.at("picture_ms").at("median"), 0.0);
+    EXPECT_EQ(cell.at("picture_ms").at("pictures"), 5);
+    EXPECT_GT(cell.at("device_memory_bytes"), 64 * 64 * 16);
     EXPECT_EQ(cell.at("lookups").at("reflected"), 1);
     EXPECT_EQ(cell.at("lookups").at("refracted"), 0); // a metal
     EXPECT_GT(cell.at("errors").at("objects").at("pixels"), 500);
@@ -88,6 +88,24 @@ TEST(report_command, writes_a_page_numbers_and_plots_and_a_second_run_does_nothi
   const Finished third = run_program(words({"--methods", "lobes1"}));
   EXPECT_NE(third.out.find("0 truths traced, 0 pictures drawn, 1 timed"), std::string::npos)
       << third.out;
+}
+
+TEST(report_command, has_a_point_for_each_number_of_samples_with_its_own_time_and_error) {
+  auto more = words({"--methods", "lobes1"});
+  more[11] = "1,4";
+  const Finished f = run_program(more);
+  ASSERT_EQ(f.code, 0) << f.err;
+  EXPECT_NE(f.out.find("2 pictures drawn, 2 timed"), std::string::npos) << f.out;
+  const auto json = nlohmann::json::parse(contents(scratch_directory() / "report" / "report.json"));
+  const auto& cells = json.at("scenes").at(0).at("cells");
+  ASSERT_EQ(cells.size(), 2u);
+  EXPECT_EQ(cells[0].at("samples"), 1);
+  EXPECT_EQ(cells[1].at("samples"), 4);
+  // Four samples are four frames; half of that leaves room for a busy machine.
+  EXPECT_GT(cells[1].at("picture_ms").at("min"),
+            2.0 * cells[0].at("picture_ms").at("min").get<double>());
+  EXPECT_NE(cells[0].at("errors"), cells[1].at("errors"));
+  EXPECT_NE(cells[1].at("command").get<std::string>().find("--samples 4"), std::string::npos);
 }
 
 TEST(report_command, goes_on_tracing_where_more_is_asked_for_and_damaged_results_are_made_anew) {

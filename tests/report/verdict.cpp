@@ -74,7 +74,7 @@ TEST(verdict, counts_shaded_objects_alone_and_pools_them_by_kind) {
       {"metal", "0", true}, {"unlit", "", false}, {"glass", "0", true}};
   const Verdict v = judge(picture, truth, kinds).verdict;
   EXPECT_NEAR(v.objects.relmse, 0.5 * (0.01 + 0.04) / 0.1, 1e-6); // rounding of floats
-  EXPECT_NEAR(v.objects.signed_mean, 0.15, 1e-6);
+  EXPECT_NEAR(v.objects.bias, 0.15, 1e-6);
   EXPECT_GT(v.frame.relmse, 100.0);
   ASSERT_EQ(v.by_class.size(), 2u);
   EXPECT_EQ(v.by_class[0].name, "glass");
@@ -83,12 +83,12 @@ TEST(verdict, counts_shaded_objects_alone_and_pools_them_by_kind) {
   ASSERT_EQ(v.by_roughness.size(), 1u);
   EXPECT_EQ(v.by_roughness[0].pixels, 200u);
   EXPECT_NEAR(v.by_roughness[0].relmse, 0.25, 1e-6);
-  EXPECT_NEAR(v.by_roughness[0].relmse_99, 0.25, 1e-6);
+  EXPECT_NEAR(v.by_roughness[0].relmse_trimmed, 0.25, 1e-6);
 
   picture.colour.at(3, 4, 1) = 1000.0f; // one pixel of the metal's hundred
   const Verdict one = judge(picture, truth, kinds).verdict;
   EXPECT_GT(one.by_class[1].relmse, 1e4);
-  EXPECT_NEAR(one.by_class[1].relmse_99, 0.1, 1e-6);
+  EXPECT_NEAR(one.by_class[1].relmse_trimmed, 0.1, 1e-6);
 }
 
 TEST(verdict, of_a_scene_without_shaded_objects_is_the_frames) {
