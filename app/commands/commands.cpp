@@ -15,7 +15,7 @@ void add_all(Command program) {
   add_snippet(program);
   add_tables(program);
   add_truth(program);
-  add_unfinished(program);
+  add_view(program);
 }
 
 } // namespace gg::commands

@@ -31,6 +31,6 @@ void add_report(Command program);
 void add_snippet(Command program);
 void add_tables(Command program);
 void add_truth(Command program);
-void add_unfinished(Command program); // promised names that say so and exit with `unsupported`
+void add_view(Command program);
 
 } // namespace gg::commands

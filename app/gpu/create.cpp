@@ -33,6 +33,13 @@ std::unique_ptr<Device> create_device(const DeviceDesc& desc) {
               "Choose --backend opengl.");
 }
 
+std::unique_ptr<Window> create_window(const WindowDesc& desc) {
+  if (desc.backend != Backend::opengl)
+    throw Error(ExitCode::unsupported, "--backend", "only OpenGL draws into windows so far",
+                "Leave it out; capture takes both.");
+  return opengl::create_window(desc);
+}
+
 std::vector<DeviceInfo> list_devices() {
   std::vector<DeviceInfo> all;
   for (const Entry& entry : entries)

@@ -245,7 +245,7 @@ void apply_material(Scene& scene, const std::string& spec) {
     setting.options.emplace_back(part.substr(0, equals),
                                  equals == std::string::npos ? "" : part.substr(equals + 1));
   }
-  if (setting.preset.empty()) Reader(setting).preset("");
+  if (setting.preset.empty() && setting.options.empty()) Reader(setting).preset("");
   std::vector<Material> changed;
   for (const Index i : targets) {
     changed.push_back(scene.materials[static_cast<std::size_t>(i)]);

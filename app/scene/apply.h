@@ -1,7 +1,7 @@
 // Presets put on materials: from the command line, and from glTF extras.
 //
 // Command line: --material 'NAME=PRESET[,KEY=VALUE...]'. NAME is a material's name, '#3' for the
-// fourth material of the file, or '*' for all.
+// fourth material of the file, or '*' for all. 'NAME=,KEY=VALUE...' changes the material as it is.
 //
 // glTF: "extras": { "groundglass": { "preset": "gold", "alpha": 0.2, "distribution": "beckmann" } }
 // in a material, with the same keys; colours are arrays of three numbers. Without "preset", the

@@ -244,14 +244,6 @@ TEST(devices_command, writes_its_list_as_json) {
   EXPECT_EQ(devices.at("devices").at(0).at("device"), 0);
 }
 
-TEST(commands, that_are_promised_and_not_there_yet_say_so_and_fail) {
-  for (const char* name : {"view"}) {
-    const Finished f = run_program({name, "anything"});
-    EXPECT_EQ(f.code, 4) << name;
-    EXPECT_NE(f.err.find(name), std::string::npos);
-  }
-}
-
 TEST(commands, help_lists_every_command_and_exits_with_0) {
   const Finished f = run_program({"--help"});
   EXPECT_EQ(f.code, 0);

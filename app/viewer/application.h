@@ -1,0 +1,83 @@
+// The state of a running viewer and what carries out a frame of it.
+#pragma once
+
+#include "viewer/display_pass.h"
+#include "viewer/loading.h"
+#include "viewer/pace.h"
+#include "viewer/picture.h"
+#include "viewer/session.h"
+#include "viewer/viewer.h"
+#include "viewer/watched_files.h"
+
+#include <chrono>
+
+namespace gg::viewer {
+
+using Clock = std::chrono::steady_clock;
+
+class Application {
+public:
+  Application(const Settings& settings, const Commands& commands);
+  ~Application();
+
+  void loop(); // until the window is closed
+  void bench();
+  void screenshot();
+
+private:
+  // loop.cpp
+  void frame();
+  void wait();
+  bool is_busy() const;
+  // opening.cpp
+  void open(const std::string& path);
+  void open_first();
+  void take_loaded();
+  void adopt(Loading::Done done);
+  void remember(const std::string& scene);
+  // requests.cpp
+  void carry_out();
+  void change_materials();
+  void frame_picked();
+  void copy(const std::string& command);
+  void save_picture(const std::string& path);
+  std::string words(const std::string& command, const std::string& output) const;
+  // drawing.cpp
+  void restart(bool quick);
+  frame::FrameDesc frame_desc(double scale, int samples) const;
+  void draw_picture();
+  void draw_quick();
+  void draw_still(Picture& picture, double& sample_ms);
+  void draw_second();
+  gpu::TextureRef compose();
+  std::optional<Beside> beside();
+  void run_truth();
+  void take_truth();
+
+  const Settings& settings_;
+  const Commands& commands_;
+  Session session_;
+  std::unique_ptr<gpu::Window> window_;
+  std::unique_ptr<Picture> picture_;
+  std::unique_ptr<Picture> second_; // by the other method, while that is shown
+  std::string second_method_;       // that it was drawn by; empty: it is of another view
+  std::unique_ptr<DisplayPass> display_;
+  Loading loading_;
+  TruthRun truth_;
+  Pace pace_;
+  WatchedFiles files_;
+
+  int width_ = 0, height_ = 0;           // of the picture on the screen, pixels
+  bool stale_ = true;                    // the picture is of another view than the session's
+  bool quick_ = false;                   // it is a quick one
+  bool compared_ = false;                // the truth has been given the finished picture
+  std::optional<scene::Index> outlined_; // what the display pass was told
+  gpu::TextureRef beside_;               // of report_shown_
+  std::shared_ptr<const TruthRun::Report> report_shown_;
+  Comparing beside_kind_ = Comparing::wipe;
+  Clock::time_point changed_ = Clock::now(), last_frame_ = Clock::now();
+  std::uint64_t events_seen_ = 0;
+  int settling_ = 3; // frames to be shown yet before the window may rest
+};
+
+} // namespace gg::viewer

@@ -1,0 +1,151 @@
+#include "viewer/display_pass.h"
+
+#include "uniforms/camera.h"
+
+#include <cstring>
+
+namespace gg::viewer {
+namespace {
+
+using glm::vec4;
+#include "../../shaders/interface/display.glsl"
+static_assert(sizeof(DisplayData) == 64);
+
+constexpr vec4 around{0.09f, 0.09f, 0.10f, 1.0f}; // the panels' own dark grey
+
+template <class T>
+std::span<const std::byte> bytes_of(const T& value) {
+  return std::as_bytes(std::span(&value, 1));
+}
+
+} // namespace
+
+DisplayPass::DisplayPass(gpu::Device& device)
+    : device_(device), linear_(device.create(gpu::SamplerDesc{})),
+      display_(device.create(gpu::PipelineDesc{.label = "display",
+                                               .vertex = "fullscreen.vert",
+                                               .fragment = "display.frag",
+                                               .colors = {gpu::Format::rgba8}})),
+      block_(device.create(gpu::BufferDesc{"display", sizeof(DisplayData), gpu::Use::uniforms})),
+      picked_block_(
+          device.create(gpu::BufferDesc{"picked", sizeof(glm::mat4), gpu::Use::uniforms})),
+      nothing_(device.create(gpu::TextureDesc{.label = "nothing", .format = gpu::Format::rgba8})) {}
+
+void DisplayPass::make_target(int width, int height) {
+  if (target_ && target_->desc.width == width && target_->desc.height == height) return;
+  target_ = device_.create(
+      gpu::TextureDesc{.label = "window",
+                       .format = gpu::Format::rgba8,
+                       .width = width,
+                       .height = height,
+                       .use = gpu::Use::attachment | gpu::Use::sampled | gpu::Use::read_back});
+}
+
+const gpu::TextureRef& DisplayPass::draw(const Show& show) {
+  make_target(show.width, show.height);
+  const bool outlined = show.outline > 0.0f && !picked_.empty() && mask_;
+  DisplayData data{};
+  data.area = {static_cast<float>(show.picture_width), static_cast<float>(show.picture_height),
+               outlined ? show.outline : 0.0f, 0.0f};
+  data.picture = {show.factor, static_cast<float>(show.tone_map), 0.0f, 0.0f};
+  data.other = {1.0f, 0.0f, 1.0f, 0.0f};
+  if (show.beside)
+    data.other = {show.beside->factor, show.beside->encoded ? 1.0f : 0.0f,
+                  show.beside->side_by_side ? 0.5f : show.beside->from,
+                  show.beside->side_by_side ? 1.0f : 0.0f};
+  data.around = around;
+  device_.upload(block_, 0, bytes_of(data));
+  const gpu::TextureRef other = show.beside ? show.beside->texture : nothing_;
+  const gpu::TextureRef mask = outlined ? mask_ : nothing_;
+  const gpu::TextureRef picture = show.picture ? show.picture : nothing_;
+  gpu::Pass pass{.label = "display",
+                 .colors = {{.view = gpu::whole(target_)}},
+                 .reads = {gpu::whole(picture), gpu::whole(other), gpu::whole(mask)},
+                 .record = [&](gpu::Encoder& encoder) {
+                   encoder.use(display_);
+                   encoder.buffer("Display", block_);
+                   encoder.texture("pictureColor", gpu::whole(picture), linear_);
+                   encoder.texture("otherColor", gpu::whole(other), linear_);
+                   encoder.texture("pickedMask", gpu::whole(mask), linear_);
+                   encoder.draw(3);
+                 }};
+  device_.run(std::span(&pass, 1));
+  return target_;
+}
+
+void DisplayPass::pick(const scene::Scene& scene, scene::Index instance) {
+  picked_.clear();
+  if (instance == scene::none) return;
+  const scene::Instance& placed = scene.instances[static_cast<std::size_t>(instance)];
+  world_ = placed.world;
+  for (const scene::Primitive& primitive :
+       scene.meshes[static_cast<std::size_t>(placed.mesh)].primitives) {
+    const auto& positions = scene.streams[static_cast<std::size_t>(primitive.positions)].values;
+    const auto& indices = scene.indices[static_cast<std::size_t>(primitive.indices)];
+    if (indices.empty()) continue;
+    Part part;
+    part.positions = device_.create(
+        gpu::BufferDesc{"picked positions", positions.size() * sizeof(float), gpu::Use::vertices},
+        std::as_bytes(std::span(positions)));
+    part.indices =
+        device_.create(gpu::BufferDesc{"picked indices", indices.size() * sizeof(std::uint32_t),
+                                       gpu::Use::indices},
+                       std::as_bytes(std::span(indices)));
+    part.count = static_cast<std::uint32_t>(indices.size());
+    picked_.push_back(std::move(part));
+  }
+  if (!mask_pipeline_)
+    mask_pipeline_ = device_.create(
+        gpu::PipelineDesc{.label = "picked mask",
+                          .vertex = "picked_mask.vert",
+                          .fragment = "picked_mask.frag",
+                          .bindings = {{.stride = 3 * sizeof(float)}},
+                          .attributes = {{.location = 0, .components = 3, .binding = 0}},
+                          .colors = {gpu::Format::r8},
+                          .cull = gpu::Cull::none});
+}
+
+void DisplayPass::see(const scene::Camera& camera, int width, int height) {
+  if (picked_.empty()) return;
+  if (!mask_ || mask_->desc.width != width || mask_->desc.height != height)
+    mask_ = device_.create(gpu::TextureDesc{.label = "picked",
+                                            .format = gpu::Format::r8,
+                                            .width = width,
+                                            .height = height,
+                                            .use = gpu::Use::attachment | gpu::Use::sampled});
+  const double aspect = static_cast<double>(width) / height;
+  const glm::mat4 clip(uniforms::clip_from_view(camera, aspect) * uniforms::view_from_world(camera)
+                       * glm::dmat4(world_));
+  device_.upload(picked_block_, 0, bytes_of(clip));
+  gpu::Pass pass{
+      .label = "picked",
+      .colors = {{.view = gpu::whole(mask_), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}}},
+      .record = [this](gpu::Encoder& encoder) {
+        encoder.use(mask_pipeline_);
+        encoder.buffer("Picked", picked_block_);
+        for (const Part& part : picked_) {
+          encoder.vertices(0, part.positions);
+          encoder.indices(part.indices);
+          encoder.draw_indexed(part.count);
+        }
+      }};
+  device_.run(std::span(&pass, 1));
+}
+
+gpu::TextureRef upload(gpu::Device& device, const image::Image& image, const char* label) {
+  std::vector<float> rgba(
+      4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height), 1.0f);
+  for (std::size_t i = 0; i < rgba.size() / 4; ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      rgba[4 * i + c] =
+          image
+              .values[i * static_cast<std::size_t>(image.channels) + (image.channels >= 3 ? c : 0)];
+  gpu::TextureRef texture = device.create(gpu::TextureDesc{.label = label,
+                                                           .format = gpu::Format::rgba32f,
+                                                           .width = image.width,
+                                                           .height = image.height});
+  device.upload(texture, 0, 0, std::as_bytes(std::span(rgba)));
+  return texture;
+}
+
+} // namespace gg::viewer

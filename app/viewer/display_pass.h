@@ -1,0 +1,65 @@
+// From the picture's radiance to what the window shows.
+#pragma once
+
+#include "frame/display.h"
+#include "gpu/device.h"
+#include "image/image.h"
+#include "scene/scene.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+
+namespace gg::viewer {
+
+// A second picture over the first.
+struct Beside {
+  gpu::TextureRef texture; // as large as the picture
+  float factor = 1.0f;     // on its values
+  bool encoded = false;    // for display already: a map of colours
+  float from =
+      1.0f; // where it begins, as a part of the width: 0 it covers the first, 1 it is not seen
+  bool side_by_side = false; // each gets half of the width, cut from its middle
+};
+
+class DisplayPass {
+public:
+  explicit DisplayPass(gpu::Device& device);
+
+  struct Show {
+    int width = 0, height = 0; // of the window
+    int picture_width = 0,
+        picture_height = 0;  // of the part of it, at the top left, that the picture fills
+    gpu::TextureRef picture; // of any size
+    float factor = 1.0f;     // on its values, the exposure's included
+    frame::ToneMap tone_map = frame::ToneMap::neutral;
+    std::optional<Beside> beside;
+    float outline = 0.0f; // pixels; of what outline() was told
+  };
+  // RGBA8, as large as the window.
+  const gpu::TextureRef& draw(const Show& show);
+
+  // What is outlined from now on: an instance as the camera sees it; none clears it.
+  void pick(const scene::Scene& scene, scene::Index instance);
+  void see(const scene::Camera& camera, int width, int height); // draws the mask of what is picked
+
+private:
+  void make_target(int width, int height);
+
+  gpu::Device& device_;
+  gpu::SamplerRef linear_;
+  gpu::PipelineRef display_, mask_pipeline_;
+  gpu::BufferRef block_, picked_block_;
+  gpu::TextureRef target_, mask_, nothing_;
+  struct Part {
+    gpu::BufferRef positions, indices;
+    std::uint32_t count = 0;
+  };
+  std::vector<Part> picked_;
+  glm::mat4 world_{1.0f};
+};
+
+// A picture for the device: RGBA32F of its first three channels.
+gpu::TextureRef upload(gpu::Device& device, const image::Image& image, const char* label);
+
+} // namespace gg::viewer

@@ -1,0 +1,207 @@
+// The picture, the truth beside it, and both on the screen.
+#include "core/error.h"
+#include "image/heat_map.h"
+#include "viewer/application.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gg::viewer {
+namespace {
+
+constexpr auto still_after = std::chrono::milliseconds(150); // since the last change
+constexpr double still_slice_ms = 20.0; // of drawing between two looks at the mouse
+constexpr float outline_width = 2.0f;
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Display-encoded colours of a one-channel map.
+image::Image coloured(const image::Image& map, double top) {
+  image::Image colours(map.width, map.height, 3);
+  for (std::size_t i = 0; i < map.values.size(); ++i) {
+    const auto colour = image::heat_colour(static_cast<double>(map.values[i]) / top);
+    std::ranges::copy(colour, colours.values.begin() + static_cast<std::ptrdiff_t>(3 * i));
+  }
+  return colours;
+}
+
+} // namespace
+
+frame::FrameDesc Application::frame_desc(double scale, int samples) const {
+  const auto side = [&](int full) {
+    return std::max(1, static_cast<int>(std::lround(scale * full)));
+  };
+  return {.width = scale == 1.0 ? width_ : side(width_),
+          .height = scale == 1.0 ? height_ : side(height_),
+          .samples = samples,
+          .camera = session_.camera,
+          .method = commands_.method(session_.view.method),
+          .correlated_smith = session_.view.smith == "correlated",
+          .multiple_scattering = session_.view.multiscatter};
+}
+
+void Application::restart(bool quick) {
+  session_.scale = quick ? pace_.scale() : 1.0;
+  picture_->set(frame_desc(session_.scale, quick ? 1 : session_.view.samples));
+  display_->see(session_.camera, width_, height_);
+  stale_ = false;
+  quick_ = quick;
+  compared_ = false;
+}
+
+void Application::draw_quick() {
+  const auto start = Clock::now();
+  restart(true);
+  picture_->draw_sample();
+  window_->device().finish();
+  session_.frame_ms = ms_since(start);
+  pace_.want(session_.frames_per_second);
+  pace_.took(session_.frame_ms);
+}
+
+// The least of a picture's samples tells what one takes: others wait for other work.
+void Application::draw_still(Picture& picture, double& sample_ms) {
+  const auto start = Clock::now();
+  do {
+    const auto before = Clock::now();
+    session_.pass_ms.clear();
+    picture.draw_sample(session_.pass_table ? &session_.pass_ms : nullptr);
+    window_->device().finish();
+    const double ms = ms_since(before);
+    sample_ms = picture.drawn() == 1 ? ms : std::min(sample_ms, ms);
+  } while (!picture.done() && ms_since(start) < still_slice_ms);
+}
+
+void Application::draw_second() {
+  if (!session_.truth || session_.second.empty()) {
+    second_.reset();
+    second_method_.clear();
+    return;
+  }
+  if (stale_ || quick_ || !picture_->done()) {
+    second_method_.clear();
+    return;
+  }
+  if (!second_) {
+    second_ = std::make_unique<Picture>(window_->device());
+    second_->open(session_.scene);
+  }
+  if (second_method_ != session_.second) {
+    second_method_ = session_.second;
+    second_->light_as(*picture_);
+    frame::FrameDesc desc = frame_desc(1.0, session_.view.samples);
+    desc.method = commands_.method(second_method_);
+    second_->set(desc);
+  }
+  if (!second_->done()) draw_still(*second_, session_.second_ms);
+}
+
+void Application::draw_picture() {
+  const bool moving = Clock::now() - changed_ < still_after;
+  session_.moving = moving;
+  const scene::Index picked = session_.picked ? session_.picked->instance : scene::none;
+  if (outlined_ != picked) {
+    display_->pick(*session_.scene, picked);
+    display_->see(session_.camera, width_, height_);
+    outlined_ = picked;
+  }
+  if (moving && picture_->is_open()) { // the first picture is not of something that moves
+    if (stale_) draw_quick();
+  } else {
+    if (stale_ || quick_) restart(false);
+    if (!picture_->done()) draw_still(*picture_, session_.first_ms);
+  }
+  session_.drawn = picture_->drawn();
+  session_.device_bytes = window_->device().memory_bytes();
+}
+
+void Application::run_truth() {
+  if (!session_.truth || !session_.second.empty()) {
+    if (compared_) truth_.cancel();
+    session_.report.reset();
+    compared_ = false;
+    return;
+  }
+  // It begins when the picture is finished, so that neither waits for the other.
+  if (!session_.scene || stale_ || quick_ || !picture_->done() || compared_) return;
+  truth_.start({.scene = session_.scene,
+                .map = session_.map,
+                .rotation = static_cast<double>(glm::radians(session_.view.env_rotation)),
+                .intensity = static_cast<double>(session_.view.env_intensity),
+                .camera = session_.camera,
+                .width = width_,
+                .height = height_,
+                .correlated_smith = session_.view.smith == "correlated",
+                .multiple_scattering = session_.view.multiscatter,
+                .samples = settings_.truth > 0 ? settings_.truth : 4096});
+  std::vector<int> objects;
+  if (session_.picked) objects.push_back(session_.picked->instance + 1);
+  truth_.compare_with(std::make_shared<const image::Image>(picture_->read()), std::move(objects));
+  compared_ = true;
+}
+
+void Application::take_truth() {
+  if (auto report = truth_.take()) session_.report = std::move(report);
+}
+
+std::optional<Beside> Application::beside() {
+  if (session_.truth && !second_method_.empty() && second_->drawn() > 0) {
+    Beside shown{.texture = second_->texture(),
+                 .factor = second_->factor() * std::exp2(session_.view.exposure),
+                 .from = session_.flicker ? 0.0f : session_.wipe};
+    shown.side_by_side = !session_.flicker && session_.comparing == Comparing::side_by_side;
+    return shown;
+  }
+  const auto& report = session_.report;
+  if (!session_.truth || !report || !report->failed.empty()) {
+    beside_.reset();
+    report_shown_.reset();
+    return std::nullopt;
+  }
+  const bool map =
+      !session_.flicker && report->comparison
+      && (session_.comparing == Comparing::relative_error || session_.comparing == Comparing::flip);
+  const Comparing kind = map ? session_.comparing : Comparing::wipe;
+  if (report_shown_ != report || beside_kind_ != kind) {
+    gpu::Device& device = window_->device();
+    if (!map)
+      beside_ = upload(device, report->picture.colour, "truth");
+    else if (kind == Comparing::flip)
+      beside_ = upload(device, coloured(report->comparison->flip_map, 1.0), "FLIP");
+    else
+      beside_ = upload(device, coloured(report->comparison->relative_map, 1.0), "relative error");
+    report_shown_ = report;
+    beside_kind_ = kind;
+  }
+  Beside shown{.texture = beside_, .factor = std::exp2(session_.view.exposure), .from = 0.0f};
+  if (map) {
+    shown.factor = 1.0f;
+    shown.encoded = true;
+  } else if (!session_.flicker) {
+    shown.side_by_side = session_.comparing == Comparing::side_by_side;
+    if (session_.comparing == Comparing::wipe) shown.from = session_.wipe;
+  }
+  return shown;
+}
+
+gpu::TextureRef Application::compose() {
+  DisplayPass::Show show{.width = std::max(window_->width(), 1),
+                         .height = std::max(window_->height(), 1),
+                         .picture_width = width_,
+                         .picture_height = height_,
+                         .tone_map = frame::parse_tone_map(session_.view.tonemap),
+                         .beside = beside()};
+  if (picture_->is_open() && picture_->drawn() > 0) {
+    show.picture = picture_->texture();
+    show.factor = picture_->factor() * std::exp2(session_.view.exposure);
+  } else {
+    show.picture_width = show.picture_height = 0;
+  }
+  if (outlined_.value_or(scene::none) != scene::none)
+    show.outline = outline_width * window_->scale();
+  return display_->draw(show);
+}
+
+} // namespace gg::viewer

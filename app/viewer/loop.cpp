@@ -1,0 +1,79 @@
+// The loop: what makes a frame, and when there is none to make.
+#include "viewer/application.h"
+#include "viewer/input.h"
+#include "viewer/panels.h"
+
+#include <imgui.h>
+
+#include <cmath>
+
+namespace gg::viewer {
+
+void Application::loop() {
+  open_first();
+  while (!window_->should_close()) {
+    wait();
+    if (window_->should_close()) break;
+    frame();
+  }
+}
+
+bool Application::is_busy() const {
+  if (settling_ > 0 || loading_.ready() || truth_.ready() || session_.turntable) return true;
+  if (!session_.scene) return false;
+  return stale_ || quick_ || !picture_->done()
+         || (second_ && !second_method_.empty() && !second_->done());
+}
+
+// An idle window waits for events and costs nothing but a look at its files once a second.
+void Application::wait() {
+  constexpr double between_looks = 1.0; // seconds
+  window_->poll_events();
+  const auto see = [this] {
+    if (window_->event_count() != events_seen_) settling_ = 3; // panels take two frames to answer
+    events_seen_ = window_->event_count();
+  };
+  see();
+  while (!window_->should_close() && (!is_busy() || window_->width() == 0)) {
+    window_->wait_events(between_looks);
+    see();
+    if (const std::string path = files_.changed(); !path.empty()) open(path);
+    if (loading_.doing() != session_.loading) break; // to be said
+  }
+}
+
+void Application::frame() {
+  if (settling_ > 0) --settling_;
+  take_loaded();
+  take_truth();
+  for (const std::string& path : window_->take_dropped())
+    open(path);
+  session_.loading = loading_.doing();
+
+  window_->begin_frame();
+  const ImGuiIO& io = ImGui::GetIO();
+  // Dear ImGui's coordinates may be coarser than pixels.
+  const glm::vec2 pixels(io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y);
+  const float width = std::max(io.DisplaySize.x - panel_width(session_, window_->scale()), 1.0f);
+  const int wanted_width = std::max(1, static_cast<int>(std::lround(width * pixels.x)));
+  const int wanted_height = std::max(1, window_->height());
+  if (wanted_width != width_ || wanted_height != height_) {
+    width_ = wanted_width, height_ = wanted_height;
+    session_.requests.camera |= session_.scene != nullptr;
+  }
+  draw_panels(session_, commands_.methods, window_->scale());
+  const auto now = Clock::now();
+  take_input(session_, {width, io.DisplaySize.y}, window_->take_keys(),
+             std::chrono::duration<double>(now - last_frame_).count());
+  last_frame_ = now;
+  carry_out();
+  if (session_.scene) {
+    draw_picture();
+    draw_second();
+  }
+  run_truth();
+  const gpu::TextureRef shown = compose();
+  window_->present(shown);
+}
+
+} // namespace gg::viewer

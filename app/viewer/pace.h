@@ -1,0 +1,23 @@
+// The resolution that keeps a picture in motion at a wanted rate.
+#pragma once
+
+namespace gg::viewer {
+
+class Pace {
+public:
+  void want(double frames_per_second) { wanted_ms_ = 1000.0 / frames_per_second; }
+
+  // The part of the full width and height to draw while something moves: 1, or less by steps of the root of two (so that targets
+  // are rarely made anew), not below an eighth.
+  double scale() const;
+  // What the last frame at scale() took. A step down at once where it was too slow, as many as its pixels say; a step up when five in
+  // a row say that the larger picture would be in time.
+  void took(double ms);
+
+private:
+  double wanted_ms_ = 1000.0 / 30.0;
+  int step_ = 2; // a half to begin with: nothing is known
+  int in_time_ = 0;
+};
+
+} // namespace gg::viewer

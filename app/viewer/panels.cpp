@@ -1,0 +1,263 @@
+#include "viewer/panels.h"
+
+#include "core/files.h"
+#include "viewer/input.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace gg::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float width_of_panels = 340.0f;
+
+void draw_scene_panel(Session& session) {
+  static std::string path;
+  ImGui::SetNextItemWidth(-60.0f);
+  const bool entered =
+      ImGui::InputTextWithHint("##path", ".gltf, .glb, .hdr or .exr: type, or drop it here", &path,
+                               ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::SameLine();
+  if ((ImGui::Button("Open") || entered) && !path.empty()) session.requests.open = path;
+  if (!session.recent.empty() && ImGui::BeginCombo("##recent", "recent files")) {
+    for (const std::string& recent : session.recent)
+      if (ImGui::Selectable(recent.c_str())) session.requests.open = recent;
+    ImGui::EndCombo();
+  }
+  if (!session.scene) return;
+  ImGui::TextWrapped("%s: %zu objects, %zu triangles",
+                     fs::path(session.view.scene).filename().c_str(),
+                     session.scene->instances.size(), session.scene->triangle_count());
+}
+
+void draw_camera_panel(Session& session) {
+  const auto& cameras = session.scene->cameras;
+  const std::string now = session.view.place             ? "moved"
+                          : !session.view.camera.empty() ? session.view.camera
+                          : cameras.empty()              ? "all of the scene"
+                                                         : "the file's first";
+  if (ImGui::BeginCombo("camera", now.c_str())) {
+    const auto choose = [&](const std::string& camera) {
+      session.view.camera = camera;
+      session.view.place.reset();
+      session.requests.camera = true;
+    };
+    if (ImGui::Selectable(cameras.empty() ? "all of the scene" : "the file's first")) choose("");
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+      if (ImGui::Selectable(fmt::format("{} {}", i, cameras[i].name).c_str()))
+        choose(std::to_string(i));
+    ImGui::EndCombo();
+  }
+  float fovy = session.view.place ? session.view.place->fovy : glm::degrees(session.camera.fovy);
+  if (ImGui::SliderFloat("field of view", &fovy, 5.0f, 120.0f, "%.1f deg",
+                         ImGuiSliderFlags_AlwaysClamp)) {
+    if (!session.view.place) session.view.place = place_of(session.camera, session.scene->bounds);
+    session.view.place->fovy = fovy;
+    session.requests.camera = true;
+  }
+  if (ImGui::Button("Frame all")) session.requests.frame_all = true;
+  ImGui::SameLine();
+  if (ImGui::Button("Frame picked") && session.picked) session.requests.frame_picked = true;
+  ImGui::SameLine();
+  ImGui::Checkbox("turntable", &session.turntable);
+}
+
+// The maps that come with the program, by their paths.
+const std::vector<std::string>& bundled_environments() {
+  static const std::vector<std::string> found = [] {
+    std::vector<std::string> paths;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(home_directory() / "assets/environments", none))
+      if (entry.path().extension() == ".hdr") paths.push_back(entry.path().string());
+    std::ranges::sort(paths);
+    return paths;
+  }();
+  return found;
+}
+
+void draw_environment_panel(Session& session) {
+  const std::string now =
+      session.view.env.empty() ? "royal_esplanade_1k" : fs::path(session.view.env).stem().string();
+  if (ImGui::BeginCombo("map", now.c_str())) {
+    for (const std::string& path : bundled_environments())
+      if (ImGui::Selectable(fs::path(path).stem().c_str())) session.requests.open = path;
+    ImGui::EndCombo();
+  }
+  bool changed =
+      ImGui::SliderFloat("rotation", &session.view.env_rotation, -180.0f, 180.0f, "%.1f deg");
+  changed |= ImGui::SliderFloat("intensity", &session.view.env_intensity, 0.0f, 8.0f, "%.3f",
+                                ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  session.requests.light |= changed;
+}
+
+void draw_quality_panel(Session& session, const std::vector<std::string>& methods) {
+  View& view = session.view;
+  bool changed = false;
+  if (ImGui::BeginCombo("method", view.method.c_str())) {
+    for (const std::string& method : methods)
+      if (ImGui::Selectable(method.c_str(), method == view.method)) {
+        view.method = method;
+        changed = true;
+      }
+    ImGui::EndCombo();
+  }
+  changed |= ImGui::SliderInt("samples", &view.samples, 1, 64, "%d", ImGuiSliderFlags_AlwaysClamp);
+  bool correlated = view.smith == "correlated";
+  if (ImGui::Checkbox("correlated Smith", &correlated)) {
+    view.smith = correlated ? "correlated" : "separable";
+    changed = true;
+  }
+  changed |= ImGui::Checkbox("multiple scattering", &view.multiscatter);
+  session.requests.quality |= changed;
+  ImGui::SliderFloat("exposure", &view.exposure, -8.0f, 8.0f, "%+.2f EV");
+  constexpr const char* curves[] = {"none", "neutral", "aces", "agx"};
+  if (ImGui::BeginCombo("tone curve", view.tonemap.c_str())) {
+    for (const char* curve : curves)
+      if (ImGui::Selectable(curve)) view.tonemap = curve;
+    ImGui::EndCombo();
+  }
+  auto rate = static_cast<float>(session.frames_per_second);
+  if (ImGui::SliderFloat("in motion", &rate, 5.0f, 120.0f, "%.0f frames/s",
+                         ImGuiSliderFlags_AlwaysClamp))
+    session.frames_per_second = rate;
+}
+
+void draw_save_panel(Session& session) {
+  ImGui::TextUnformatted("Copy this view as a command line:");
+  for (const char* command : {"capture", "truth", "report"}) {
+    if (ImGui::Button(command)) session.requests.copy = command;
+    ImGui::SameLine();
+  }
+  ImGui::NewLine();
+  static std::string picture = "groundglass.png", copy = "edited.glb";
+  ImGui::SetNextItemWidth(-110.0f);
+  ImGui::InputText("##picture", &picture);
+  ImGui::SameLine();
+  if (ImGui::Button("Save picture")) session.requests.save_picture = picture;
+  ImGui::SetNextItemWidth(-110.0f);
+  ImGui::InputText("##copy", &copy);
+  ImGui::SameLine();
+  if (ImGui::Button("Save glTF")) session.requests.save_materials = copy;
+}
+
+void draw_pass_table(Session& session) {
+  double total = 0.0;
+  for (const auto& [label, ms] : session.pass_ms)
+    total += ms;
+  if (ImGui::BeginTable("passes", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
+    for (const auto& [label, ms] : session.pass_ms) {
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(label.c_str());
+      ImGui::TableNextColumn();
+      ImGui::Text("%7.2f ms", ms);
+    }
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted("all");
+    ImGui::TableNextColumn();
+    ImGui::Text("%7.2f ms", total);
+    ImGui::EndTable();
+  }
+  ImGui::Text("%.1f MiB on the device", static_cast<double>(session.device_bytes) / 1048576.0);
+}
+
+void draw_status(const Session& session, float scale) {
+  const ImGuiIO& io = ImGui::GetIO();
+  ImGui::SetNextWindowPos({8.0f * scale, io.DisplaySize.y - 8.0f * scale}, ImGuiCond_Always,
+                          {0.0f, 1.0f});
+  ImGui::SetNextWindowBgAlpha(0.55f);
+  constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration
+                                     | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs
+                                     | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+  ImGui::Begin("status", nullptr, flags);
+  std::string line;
+  if (!session.loading.empty())
+    line = "reading " + session.loading + " ...";
+  else if (!session.scene)
+    line = "drop a .gltf or .glb here";
+  else if (session.moving)
+    line =
+        fmt::format("{:.0f} ms at {:.0f} % of the width", session.frame_ms, 100.0 * session.scale);
+  else
+    line = fmt::format("{} of {} samples", session.drawn, session.view.samples);
+  if (session.truth && session.second.empty())
+    line += session.report ? fmt::format("   truth: {} samples per pixel, error {:.1f} %",
+                                         session.report->samples, 100.0 * session.report->error)
+                           : std::string("   truth: starts when nothing moves");
+  if (!session.said.empty()) line += "   " + session.said;
+  ImGui::TextUnformatted(line.c_str());
+  ImGui::End();
+}
+
+void draw_message(Session& session, float scale) {
+  if (session.message.empty()) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const float right = io.DisplaySize.x - panel_width(session, scale);
+  ImGui::SetNextWindowPos({0.5f * right, 16.0f * scale}, ImGuiCond_Always, {0.5f, 0.0f});
+  ImGui::SetNextWindowSize({std::min(640.0f * scale, 0.9f * right), 0.0f});
+  ImGui::Begin("message", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::TextWrapped("%s", session.message.c_str());
+  if (ImGui::Button("Close")) session.message.clear();
+  ImGui::End();
+}
+
+} // namespace
+
+void set_up_panels(float scale) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.ConfigInputTextCursorBlink = false; // an idle window draws nothing
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+  ImGui::StyleColorsDark();
+  ImGuiStyle& style = ImGui::GetStyle();
+  style.WindowRounding = style.FrameRounding = style.GrabRounding = 3.0f;
+  style.ScaleAllSizes(scale);
+  // Debian's fonts-dejavu-core; without it, Dear ImGui's own letters.
+  const fs::path font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+  std::error_code none;
+  if (fs::exists(font, none))
+    io.Fonts->AddFontFromFileTTF(font.c_str(), std::round(14.0f * scale));
+  else
+    io.FontGlobalScale = scale;
+}
+
+float panel_width(const Session& session, float scale) {
+  return session.panel ? std::round(width_of_panels * scale) : 0.0f;
+}
+
+void draw_panels(Session& session, const std::vector<std::string>& methods, float scale) {
+  draw_status(session, scale);
+  draw_message(session, scale);
+  if (!session.panel) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const float width = panel_width(session, scale);
+  ImGui::SetNextWindowPos({io.DisplaySize.x - width, 0.0f});
+  ImGui::SetNextWindowSize({width, io.DisplaySize.y});
+  ImGui::Begin("Groundglass", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove
+                   | ImGuiWindowFlags_NoCollapse);
+  ImGui::PushItemWidth(0.58f * width);
+  constexpr ImGuiTreeNodeFlags open = ImGuiTreeNodeFlags_DefaultOpen;
+  if (ImGui::CollapsingHeader("Scene", open)) draw_scene_panel(session);
+  if (session.scene) {
+    if (ImGui::CollapsingHeader("Material", open)) draw_material_panel(session);
+    if (ImGui::CollapsingHeader("Environment", open)) draw_environment_panel(session);
+    if (ImGui::CollapsingHeader("Compare", open)) draw_truth_panel(session, methods);
+    if (ImGui::CollapsingHeader("Camera")) draw_camera_panel(session);
+    if (ImGui::CollapsingHeader("Picture")) draw_quality_panel(session, methods);
+    if (ImGui::CollapsingHeader("Copy and save")) draw_save_panel(session);
+    session.pass_table = ImGui::CollapsingHeader("Passes");
+    if (session.pass_table) draw_pass_table(session);
+  }
+  if (ImGui::CollapsingHeader("Keys")) ImGui::TextUnformatted(help());
+  ImGui::PopItemWidth();
+  ImGui::End();
+}
+
+} // namespace gg::viewer

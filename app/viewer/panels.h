@@ -1,0 +1,19 @@
+// The panels beside the picture, in Dear ImGui.
+#pragma once
+
+#include "viewer/session.h"
+
+namespace gg::viewer {
+
+// Fonts and colours, once, before the first frame; `scale` as Window::scale().
+void set_up_panels(float scale);
+// The width of the panels, in Dear ImGui's coordinates; 0 if they are hidden.
+float panel_width(const Session& session, float scale);
+
+// All of them; `methods` as --method takes them.
+void draw_panels(Session& session, const std::vector<std::string>& methods, float scale);
+
+void draw_material_panel(Session& session);
+void draw_truth_panel(Session& session, const std::vector<std::string>& methods);
+
+} // namespace gg::viewer

@@ -1,0 +1,57 @@
+// display.frag: linear radiance as a window shows it, a second picture from some column on, and the outline of what is picked.
+#version 450
+#include "color/srgb.glsl"
+#include "color/tonemap.glsl"
+#include "interface/display.glsl"
+
+layout(binding = 1) uniform sampler2D pictureColor;
+layout(binding = 2) uniform sampler2D otherColor;
+layout(binding = 3) uniform sampler2D pickedMask;
+
+layout(location = 0) out vec4 outColor;
+
+vec3 toneMapped(vec3 radiance) {
+    int curve = int(display.picture.y);
+    if (curve == 1) return tonemapNeutral(radiance);
+    if (curve == 2) return tonemapAces(radiance);
+    if (curve == 3) return tonemapAgx(radiance);
+    return clamp(radiance, 0.0, 1.0);
+}
+
+vec3 encoded(vec3 radiance) { return srgbFromLinearRgb(toneMapped(radiance)); }
+
+// 1 beside what is picked, within the outline's width.
+float outline(vec2 at) {
+    float width = display.area.z;
+    if (width <= 0.0) return 0.0;
+    vec2 size = display.area.xy;
+    if (textureLod(pickedMask, at / size, 0.0).x > 0.5) return 0.0;
+    float near = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        float angle = 0.78539816 * float(i);
+        near = max(near, textureLod(pickedMask, (at + width * vec2(cos(angle), sin(angle))) / size, 0.0).x);
+    }
+    return near;
+}
+
+void main() {
+    vec2 at = gl_FragCoord.xy;
+    vec2 size = display.area.xy;
+    if (at.x >= size.x || at.y >= size.y) {
+        outColor = display.around;
+        return;
+    }
+    bool other = at.x >= display.other.z * size.x;
+    vec2 uv = at / size;
+    if (display.other.w > 0.5) uv.x = other ? uv.x - 0.25 : uv.x + 0.25;
+    vec3 color = vec3(0.0);
+    if (other) {
+        color = textureLod(otherColor, uv, 0.0).xyz * display.other.x;
+        if (display.other.y < 0.5) color = encoded(color);
+    } else {
+        color = encoded(textureLod(pictureColor, uv, 0.0).xyz * display.picture.x);
+    }
+    if (abs(at.x - display.other.z * size.x) < 1.0 && display.other.z > 0.0 && display.other.z < 1.0) color = vec3(1.0);
+    color = mix(color, vec3(1.0, 0.62, 0.16), outline(uv * size));
+    outColor = vec4(color, 1.0);
+}

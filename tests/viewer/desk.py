@@ -1,0 +1,228 @@
+"""A display without a screen (Xvfb), the viewer on it, and a user's hands: events by XTEST and by the drag-and-drop protocol."""
+import os
+import re
+import select
+import shlex
+import struct
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+from Xlib import X, XK, Xatom, display, error, protocol
+from Xlib.ext import xtest
+
+# The machine may do other things: what takes a second alone may take a minute.
+PATIENCE = 120.0
+
+
+class Desk:
+    def __init__(self, width=1300, height=900):
+        self.folder = tempfile.TemporaryDirectory(prefix="groundglass-desk-")
+        self.path = Path(self.folder.name)
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp", "-fbdir",
+             self.folder.name], pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            self.name = ":" + pipe.readline().strip()
+        self.display = display.Display(self.name)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.display.close()
+        self.server.terminate()
+        self.server.wait()
+        self.folder.cleanup()
+
+    def screen(self):
+        """Rows of (r, g, b), as the X server keeps them: an XWD file that it maps into memory."""
+        data = (self.path / "Xvfb_screen0").read_bytes()
+        header = struct.unpack(">25I", data[:100])
+        size, width, height, stride, colours = header[0], header[4], header[5], header[12], header[19]
+        at = size + 12 * colours
+        rows = []
+        for y in range(height):
+            row = data[at + y * stride:at + y * stride + 4 * width]
+            rows.append([(row[4 * x + 2], row[4 * x + 1], row[4 * x]) for x in range(width)])
+        return rows
+
+
+class Viewer:
+    def __init__(self, desk, program, arguments, size=(960, 600)):
+        self.desk, self.program = desk, program
+        environment = dict(os.environ, DISPLAY=desk.name, XDG_CACHE_HOME=str(desk.path / "cache"))
+        self.process = subprocess.Popen(
+            [program, "view", *arguments, "--size", f"{size[0]}x{size[1]}"], cwd=desk.path, env=environment,
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=(desk.path / "stderr").open("w"))
+        self.buffer = ""
+        self.window = self.wait_for(self.find_window, "the window")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+        self.process.stdout.close()
+
+    def errors(self):
+        return (self.desk.path / "stderr").read_text()
+
+    def wait_for(self, found, what):
+        start = time.monotonic()
+        while time.monotonic() - start < PATIENCE:
+            if self.process.poll() is not None:
+                raise AssertionError(f"the viewer ended with {self.process.returncode}: {self.errors()}")
+            result = found()
+            if result:
+                return result
+            time.sleep(0.05)
+        raise AssertionError(f"waited {PATIENCE} s for {what}; {self.errors()}")
+
+    def find_window(self):
+        for window in self.desk.display.screen().root.query_tree().children:
+            try:
+                if window.get_wm_name() and window.get_attributes().map_state == X.IsViewable:
+                    return window
+            except error.BadWindow:
+                pass
+        return None
+
+    def title(self):
+        return self.window.get_wm_name() or ""
+
+    def open(self):
+        """Waits for the scene, and gives the window the keyboard, as a window manager would."""
+        self.wait_for(lambda: " - Groundglass" in self.title(), "the scene")
+        self.window.set_input_focus(X.RevertToParent, X.CurrentTime)
+        self.desk.display.sync()
+        self.copied()  # the first picture, which is long, is over
+        return self
+
+    # Hands.
+    def fake(self, kind, detail=0, **where):
+        xtest.fake_input(self.desk.display, kind, detail, **where)
+        self.desk.display.sync()
+        time.sleep(0.03)
+
+    def move(self, x, y):
+        self.fake(X.MotionNotify, x=int(x), y=int(y))
+
+    def rest(self):
+        """Until the picture is finished: then a frame takes no longer than a hand's movement."""
+        since, before = time.monotonic(), None
+        start = since
+        while time.monotonic() - since < 2.0 and time.monotonic() - start < PATIENCE:
+            now = (self.desk.path / "Xvfb_screen0").read_bytes()
+            if now != before:
+                since, before = time.monotonic(), now
+            time.sleep(0.1)
+
+    def drag(self, start, end, button=1, steps=8):
+        self.rest()
+        self.move(*start)
+        time.sleep(0.3)
+        self.fake(X.ButtonPress, button)
+        time.sleep(0.3)
+        for i in range(1, steps + 1):
+            self.move(start[0] + (end[0] - start[0]) * i / steps, start[1] + (end[1] - start[1]) * i / steps)
+            time.sleep(0.05)
+        time.sleep(0.3)
+        self.fake(X.ButtonRelease, button)
+
+    def click(self, x, y, button=1):
+        self.rest()
+        self.move(x, y)
+        time.sleep(0.5)
+        self.fake(X.ButtonPress, button)
+        time.sleep(0.5)
+        self.fake(X.ButtonRelease, button)
+        time.sleep(0.3)
+
+    def key(self, name, *modifiers):
+        codes = [self.desk.display.keysym_to_keycode(XK.string_to_keysym(k)) for k in (*modifiers, name)]
+        for code in codes:
+            self.fake(X.KeyPress, code)
+        for code in reversed(codes):
+            self.fake(X.KeyRelease, code)
+
+    def close(self):
+        atom = self.desk.display.intern_atom
+        event = protocol.event.ClientMessage(window=self.window, client_type=atom("WM_PROTOCOLS"),
+                                             data=(32, [atom("WM_DELETE_WINDOW"), X.CurrentTime, 0, 0, 0]))
+        self.window.send_event(event)
+        self.desk.display.sync()
+        return self.process.wait(PATIENCE)
+
+    def drop(self, path):
+        """The source's side of XDND, version 5."""
+        d = self.desk.display
+        atom = d.intern_atom
+        source = d.screen().root.create_window(0, 0, 1, 1, 0, X.CopyFromParent)
+        source.set_selection_owner(atom("XdndSelection"), X.CurrentTime)
+
+        def tell(kind, *data):
+            self.window.send_event(protocol.event.ClientMessage(
+                window=self.window, client_type=atom(kind), data=(32, [source.id, *data, 0, 0, 0, 0][:5])))
+            d.sync()
+
+        tell("XdndEnter", 5 << 24, atom("text/uri-list"), 0, 0)
+        tell("XdndPosition", 0, (100 << 16) | 100, X.CurrentTime, atom("XdndActionCopy"))
+        tell("XdndDrop", 0, X.CurrentTime)
+        start = time.monotonic()
+        while time.monotonic() - start < PATIENCE:
+            while d.pending_events():
+                event = d.next_event()
+                if event.type != X.SelectionRequest:
+                    continue
+                event.requestor.change_property(event.property, event.target, 8, f"file://{path}\r\n".encode())
+                event.requestor.send_event(protocol.event.SelectionNotify(
+                    time=event.time, requestor=event.requestor, selection=event.selection, target=event.target,
+                    property=event.property))
+                d.sync()
+                return
+            time.sleep(0.02)
+        raise AssertionError("the window did not ask for what was dropped")
+
+    # What it says.
+    def read_line(self):
+        start = time.monotonic()
+        while "\n" not in self.buffer:
+            if time.monotonic() - start > PATIENCE or self.process.poll() is not None:
+                raise AssertionError(f"no line came; {self.errors()}")
+            if select.select([self.process.stdout], [], [], 0.1)[0]:
+                self.buffer += os.read(self.process.stdout.fileno(), 65536).decode()
+        line, self.buffer = self.buffer.split("\n", 1)
+        return line
+
+    def copied(self):
+        """The capture line, as Ctrl+C puts it on stdout."""
+        self.key("c", "Control_L")
+        return self.read_line()
+
+    def copied_when(self, holds, what):
+        start = time.monotonic()
+        while time.monotonic() - start < PATIENCE:
+            line = self.copied()
+            if holds(line):
+                return line
+        raise AssertionError(f"{what}: {line}")
+
+
+def option(line, name):
+    """The values of an option on a command line."""
+    words = shlex.split(line)
+    return [words[i + 1] for i, word in enumerate(words[:-1]) if word == name]
+
+
+def vector(line, name):
+    return [float(v) for v in option(line, name)[0].split(",")]
+
+
+def distance(line):
+    return sum((a - b) ** 2 for a, b in zip(vector(line, "--eye"), vector(line, "--target"))) ** 0.5

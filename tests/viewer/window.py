@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+"""The viewer as a user has it, on a display without a screen: tests/viewer/window.py PROGRAM NAME"""
+import shlex
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from desk import PATIENCE, Desk, Viewer, distance, option, vector
+
+SOURCE = Path(__file__).resolve().parents[2]
+SCENE = str(SOURCE / "assets/scenes/slabs-0.2.glb")
+SMALL = ["--samples", "2", "--fps", "5"]
+PROGRAM = ""
+ALPHA_ROW = 199  # of the slider, in a window with the panel as it begins
+
+
+def viewer(desk, *arguments, scene=SCENE, **rest):
+    return Viewer(desk, PROGRAM, [scene, *SMALL, *arguments], **rest)
+
+
+def colours(desk, left, top, right, bottom):
+    return {pixel for row in desk.screen()[top:bottom] for pixel in row[left:right]}
+
+
+def shows_the_scene_that_is_opened():
+    with Desk() as desk, viewer(desk).open() as v:
+        v.wait_for(lambda: len(colours(desk, 50, 50, 550, 500)) > 100, "a picture")
+        assert "slabs-0.2.glb" in v.title()
+        assert v.close() == 0, v.errors()
+
+
+def dragging_orbits_and_the_wheel_comes_closer():
+    with Desk() as desk, viewer(desk).open() as v:
+        assert not option(v.copied(), "--eye")
+        v.drag((300, 300), (400, 330))
+        before = v.copied_when(lambda line: option(line, "--eye"), "dragging did not move the camera")
+        v.drag((300, 300), (400, 330))
+        after = v.copied()
+        assert vector(before, "--target") == vector(after, "--target")
+        assert abs(distance(before) / distance(after) - 1) < 1e-4
+        assert vector(before, "--eye") != vector(after, "--eye")
+        v.click(300, 300, button=4)
+        v.copied_when(lambda line: distance(line) < 0.95 * distance(after), "the wheel did not come closer")
+        v.drag((300, 300), (400, 330), button=3)
+        panned = v.copied()
+        assert vector(panned, "--target") != vector(after, "--target")
+        assert v.close() == 0, v.errors()
+
+
+def a_slider_changes_what_is_picked_and_undo_takes_it_back():
+    # Ball grid, from the front: the gold ball in the middle of the picture.
+    with Desk() as desk, viewer(desk, scene=str(SOURCE / "assets/scenes/ball-grid.glb")).open() as v:
+        v.click(310, 300)
+        # Below the name: the first control is the preset, then alpha. A click into a slider sets it.
+        v.click(700, ALPHA_ROW)
+        changed = v.copied_when(lambda line: option(line, "--material"), "the slider changed nothing")
+        spec, = option(changed, "--material")
+        assert spec.startswith("#") and "alpha=" in spec, spec
+        v.key("z", "Control_L")
+        v.copied_when(lambda line: not option(line, "--material"), "undo left the change")
+        v.key("y", "Control_L")
+        v.copied_when(lambda line: option(line, "--material") == [spec], "redo did not bring it back")
+        assert v.close() == 0, v.errors()
+
+
+def the_copied_line_reproduces_the_saved_picture():
+    with Desk() as desk, viewer(desk, "--exposure", "0.5", "--material", "*=,alpha=0.2").open() as v:
+        v.drag((300, 300), (340, 310))
+        v.key("s", "Control_L")
+        words = shlex.split(v.read_line())
+        saved = (desk.path / "groundglass.png").read_bytes()
+        words[0] = PROGRAM
+        words[words.index("-o") + 1] = "captured.png"
+        subprocess.run(words, cwd=desk.path, check=True)
+        assert (desk.path / "captured.png").read_bytes() == saved
+        assert v.close() == 0, v.errors()
+
+
+def a_dropped_scene_is_shown_and_a_broken_one_leaves_it():
+    with Desk() as desk, viewer(desk).open() as v:
+        broken = desk.path / "broken.glb"
+        broken.write_bytes(Path(SCENE).read_bytes()[:500])
+        good = desk.path / "panes.glb"
+        shutil.copy(SOURCE / "assets/scenes/panes.glb", good)
+        v.drop(good)
+        v.wait_for(lambda: "panes.glb" in v.title(), "the dropped scene")
+        v.drop(broken)
+        # The message lies over the top of the picture, on the panels' dark ground.
+        v.wait_for(lambda: (15, 15, 15) in {tuple(min(c, 15) for c in p) for p in colours(desk, 250, 20, 350, 22)}, "a message")
+        time.sleep(1.0)
+        assert "panes.glb" in v.copied()
+        assert v.close() == 0, v.errors()
+
+
+def the_truth_is_shown_beside_the_picture_and_the_wipe_is_dragged():
+    with Desk() as desk, viewer(desk, "--no-panel", size=(320, 240)).open() as v:
+        def bar():
+            row = desk.screen()[20]
+            return [x for x in range(5, 315) if row[x] == (255, 255, 255) and desk.screen()[200][x] == (255, 255, 255)]
+        v.key("t")
+        v.wait_for(lambda: any(155 < x < 165 for x in bar()), "the bar between picture and truth")
+        v.drag((160, 120), (80, 120))
+        v.wait_for(lambda: any(72 < x < 88 for x in bar()), "the bar where it was dragged to")
+        assert v.close() == 0, v.errors()
+
+
+def a_hundred_sizes_are_survived():
+    with Desk() as desk, viewer(desk, "--no-panel", size=(320, 240)).open() as v:
+        for i in range(100):
+            v.window.configure(width=330 + 61 * i % 600, height=250 + 37 * i % 400)
+            desk.display.sync()
+            time.sleep(0.02)
+        v.window.configure(width=400, height=300)
+        desk.display.sync()
+        v.copied_when(lambda line: option(line, "--size") == ["400x300"], "the last size")
+        assert v.close() == 0, v.errors()
+
+
+def closing_while_loading_ends_it():
+    with Desk() as desk, viewer(desk, scene=str(SOURCE / "assets/scenes/GlassVaseFlowers.glb")) as v:
+        assert v.close() == 0, v.errors()
+
+
+def closing_while_tracing_ends_it():
+    with Desk() as desk, viewer(desk, "--truth", "100000").open() as v:
+        time.sleep(3.0)
+        assert v.close() == 0, v.errors()
+
+
+def a_file_that_changes_is_read_again():
+    with Desk() as desk:
+        scene = desk.path / "changing.glb"
+        shutil.copy(SOURCE / "assets/scenes/panes.glb", scene)
+        with viewer(desk, "--no-panel", scene=str(scene), size=(320, 240)).open() as v:
+            v.wait_for(lambda: len(colours(desk, 10, 10, 310, 200)) > 50, "a picture")
+            time.sleep(2.0)
+            before = colours(desk, 10, 10, 310, 200)
+            shutil.copy(SOURCE / "assets/scenes/slabs-2.glb", scene)
+            v.wait_for(lambda: len(colours(desk, 10, 10, 310, 200) ^ before) > 50, "the new picture")
+            assert v.close() == 0, v.errors()
+
+
+def without_a_display_it_says_what_to_do():
+    finished = subprocess.run([PROGRAM, "view"], env={"PATH": "/usr/bin"}, capture_output=True, text=True)
+    assert finished.returncode == 6, finished
+    assert "capture" in finished.stderr
+
+
+if __name__ == "__main__":
+    PROGRAM = str(Path(sys.argv[1]).resolve())
+    globals()[sys.argv[2]]()
