@@ -11,7 +11,7 @@ vec3 absorbed(float metres) { return attenuates ? exp(-metres * material.attenua
 InnerPath followInside(Surface s, float ior) {
     float entered = faceEnergy(dot(s.n, s.wo), s.alpha, ior).transmitted;
     InnerTap core = enteringTap(0, s, ior, entered);
-    return followReflections(s, firstArrival(s, core, entered, 1.0 / ior), 1.0 / ior, widening());
+    return followFaces(s, entering(s, core, entered), false, 1.0 / ior, widening());
 }
 
 // What leaves by the first face that the light comes to.

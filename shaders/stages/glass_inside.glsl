@@ -79,33 +79,61 @@ FaceSplit splitAt(InnerArrival a, float invIor, Widening k) {
     return split;
 }
 
-// Where the light that entered first comes to a face. Of a mesh that has no far side, a plate whose thickness is given, that is
-// the other face.
-InnerArrival firstArrival(Surface s, InnerTap core, float entered, float invIor) {
-    InnerArrival a;
-    a.ray = core;
-    a.ray.weight = entered;
-    float across = surfaceThickness() * meshUnit();
-    a.run = across / max(-dot(core.direction, s.n), 0.05); // a ray along the plate leaves it after 20 thicknesses
-    a.point = s.position + a.run * core.direction;
-    a.face.n = -s.n;
-    a.face.alpha = s.alpha;
+// Where `ray` next comes to a face: first of all from s, or `reflected`, then from the place of `before`. segment is negative where
+// there is none.
+InnerArrival reachFace(Surface s, InnerArrival before, InnerTap ray, float invIor, bool reflected) {
+    InnerArrival a = before;
+    a.ray = ray;
     a.face.eta = invIor;
     a.face.turn = vec2(0.0);
+    vec3 from = s.position;
+    float cosTheta = -dot(ray.direction, s.n);
+    // Of a mesh that has no far side, a plate whose thickness is given, it is the other face; a ray along that leaves it after 20
+    // thicknesses.
+    a.segment = surfaceThickness() * meshUnit() / max(cosTheta, 0.05);
+    a.face.n = -s.n;
+    a.face.alpha = s.alpha;
+    if (reflected) {
+        // Of a wall thinner than the search resolves it is the face that the light came in by.
+        from = before.point;
+        a.segment = cosTheta < 0.0 ? before.segment * dot(before.ray.direction, s.n) / cosTheta : -1.0;
+        a.face.n = s.n;
+    }
     if (interiorPairs > 0) {
         InteriorView view = interiorCamera();
         float guess = interiorThickness(interior, view, picturePixel(), objectId());
-        ExitHit hit = findExit(interior, view, interiorPairs, objectId(), s.position, core.direction, guess, false);
+        ExitHit hit = findExit(interior, view, interiorPairs, objectId(), from, ray.direction, guess, reflected);
         if (hit.found > 0.0) {
-            a.run = hit.distance;
+            a.segment = hit.distance;
             a.face.n = hit.n;
             a.face.alpha = hit.alpha;
-            a.face.turn = exitTurn(dot(core.direction, hit.n), a.run, hit.curvature);
-            a.point = hit.point;
+            a.face.turn = exitTurn(dot(ray.direction, hit.n), before.run + hit.distance, hit.curvature);
+            if (reflected) a.face.turn = seenBySpread(a.face.turn, ray.sigma);
         }
     }
-    a.segment = a.run;
+    a.point = from + a.segment * ray.direction;
+    a.run = before.run + a.segment;
     return a;
+}
+
+// The light at s, which has entered.
+InnerArrival entering(Surface s, InnerTap core, float entered) {
+    InnerArrival a;
+    a.ray = core;
+    a.ray.weight = entered;
+    a.face.n = s.n;
+    a.face.alpha = s.alpha;
+    a.face.eta = 1.0;
+    a.face.turn = vec2(0.0);
+    a.point = s.position;
+    a.run = 0.0;
+    a.segment = 0.0;
+    return a;
+}
+
+InnerArrival firstArrival(Surface s, InnerTap core, float entered, float invIor) {
+    InnerArrival from = entering(s, core, entered);
+    return reachFace(s, from, from.ray, invIor, false);
 }
 
 // Followed where most of the light is: beyond the critical angle, and as long as a way can be told.
@@ -114,32 +142,12 @@ bool goesOn(InnerArrival a, FaceSplit split) {
     return most && (interiorPairs > 1 || split.sigma <= LEFT_OVER_SIGMA);
 }
 
-// To the face after: a.segment is negative where there is none. `across`: metres through the wall at s, for walls thinner than the
-// search resolves, whose next face is the one that the light came in by.
-InnerArrival nextArrival(Surface s, InnerArrival a, FaceSplit split, float across) {
-    InnerArrival next = a;
-    next.ray.direction = split.direction;
-    next.ray.sigma = split.sigma;
-    next.ray.weight = split.reflected;
-    InteriorView view = interiorCamera();
-    float guess = interiorThickness(interior, view, picturePixel(), objectId());
-    ExitHit hit = findExit(interior, view, interiorPairs, objectId(), a.point, split.direction, guess, true);
-    if (hit.found > 0.0) {
-        next.segment = hit.distance;
-        next.face.n = hit.n;
-        next.face.alpha = hit.alpha;
-        next.face.turn = seenBySpread(exitTurn(dot(split.direction, hit.n), a.run + hit.distance, hit.curvature), split.sigma);
-        next.point = hit.point;
-    } else {
-        float back = dot(split.direction, s.n);
-        next.segment = back > 0.0 ? across / back : -1.0;
-        next.face.n = s.n;
-        next.face.alpha = s.alpha;
-        next.face.turn = vec2(0.0);
-        next.point = a.point + next.segment * split.direction;
-    }
-    next.run = a.run + next.segment;
-    return next;
+InnerTap reflectedRay(FaceSplit split) {
+    InnerTap ray;
+    ray.direction = split.direction;
+    ray.sigma = split.sigma;
+    ray.weight = split.reflected;
+    return ray;
 }
 
 // How the light inside comes to the face that it leaves by.
@@ -150,23 +158,29 @@ struct InnerPath {
     float passedBetween; // energy that passed the faces beyond which the light was followed
 };
 
-// On from the first face, by total reflections.
-InnerPath followReflections(Surface s, InnerArrival first, float invIor, Widening k) {
+// From `before` on; where that is the light at s itself, `hasFirst` is false. The search is written once: machines that run pixels in
+// lockstep pay for all that is.
+InnerPath followFaces(Surface s, InnerArrival before, bool hasFirst, float invIor, Widening k) {
     InnerPath p;
-    p.first = first;
-    p.last = first;
+    p.first = before;
+    p.last = before;
     p.bounced = false;
     p.passedBetween = 0.0;
-    if (interiorPairs == 0) return p;
-    float across = first.run * max(-dot(first.ray.direction, s.n), 0.0);
-    for (int bounce = 0; bounce < followed; ++bounce) {
-        FaceSplit split = splitAt(p.last, invIor, k);
-        if (!goesOn(p.last, split)) break;
-        InnerArrival next = nextArrival(s, p.last, split, across);
+    for (int bounce = hasFirst ? 1 : 0; bounce <= followed; ++bounce) {
+        InnerTap ray = p.last.ray;
+        float passed = 0.0;
+        if (bounce > 0) {
+            FaceSplit split = splitAt(p.last, invIor, k);
+            if (interiorPairs == 0 || !goesOn(p.last, split)) break;
+            ray = reflectedRay(split);
+            passed = p.last.ray.weight * split.passes;
+        }
+        InnerArrival next = reachFace(s, p.last, ray, invIor, bounce > 0);
         if (next.segment < 0.0) break;
-        if (losesItsWay && bounce > 0) p.passedBetween += p.last.ray.weight * split.passes;
+        if (losesItsWay && bounce > 1) p.passedBetween += passed;
         p.last = next;
-        p.bounced = true;
+        if (bounce == 0) p.first = next;
+        p.bounced = bounce > 0;
     }
     return p;
 }

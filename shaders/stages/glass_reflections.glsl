@@ -14,7 +14,7 @@ void writeReflections() {
     float ior = glassIor();
     float entered = faceEnergy(dot(s.n, s.wo), s.alpha, ior).transmitted;
     InnerArrival first = readFirstArrival(s, enteringTap(0, s, ior, entered), entered, 1.0 / ior);
-    InnerPath path = followReflections(s, first, 1.0 / ior, widening());
+    InnerPath path = followFaces(s, first, true, 1.0 / ior, widening());
     if (!path.bounced) discard;
     PackedArrival p = packArrival(path.last, path.passedBetween);
     outPoint = p.point;
