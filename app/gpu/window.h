@@ -34,6 +34,15 @@ struct KeyPress {
   bool control = false, shift = false, repeated = false;
 };
 
+// A movement of the mouse with a button held, in Dear ImGui's coordinates; a press and a release at one place has `click`.
+struct Drag {
+  int button = 0; // 0 left, 1 right, 2 middle
+  bool control = false, shift = false, click = false;
+  float from_x = 0.0f, from_y = 0.0f; // where the button went down
+  float x = 0.0f, y = 0.0f;           // where it is now
+  float moved_x = 0.0f, moved_y = 0.0f;
+};
+
 class Window {
 public:
   virtual ~Window() = default;
@@ -57,6 +66,7 @@ public:
   virtual std::uint64_t event_count() const = 0;
   virtual std::vector<KeyPress>
   take_keys() = 0; // since the last call: none is lost in a long frame
+  virtual std::vector<Drag> take_drags() = 0;
   virtual std::vector<std::string>
   take_dropped() = 0; // paths dropped on the window since the last call
 

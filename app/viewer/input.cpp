@@ -19,60 +19,57 @@ Place& place(Session& session) {
   return *session.view.place;
 }
 
-void pick_at(Session& session, const ImVec2& at, const Area& area) {
-  const Ray ray = ray_through(session.camera, {at.x / area.width, at.y / area.height},
-                              area.width / area.height);
+void pick_at(Session& session, float x, float y, const Area& area) {
+  const Ray ray =
+      ray_through(session.camera, {x / area.width, y / area.height}, area.width / area.height);
   session.picked = pick(*session.scene, ray);
   session.edit_all = session.edit_all && !session.picked;
 }
 
-// The bar between the picture and the truth is dragged when it is near.
-bool takes_wipe(const Session& session, const ImVec2& at, const Area& area) {
+// The bar between the picture and the second is dragged when it is near.
+bool takes_wipe(const Session& session, float x, const Area& area) {
   return session.truth && session.comparing == Comparing::wipe
          && (session.report || !session.second.empty())
-         && std::abs(at.x - session.wipe * area.width) < 8.0f;
+         && std::abs(x - session.wipe * area.width) < 8.0f;
 }
 
-void take_mouse(Session& session, const Area& area) {
-  const ImGuiIO& io = ImGui::GetIO();
-  static bool wiping = false; // from the press of the button to its release
-  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) wiping = false;
-  if (io.WantCaptureMouse || io.MousePos.x >= area.width) return;
-  if (takes_wipe(session, io.MousePos, area) || wiping)
-    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && takes_wipe(session, io.MousePos, area))
-    wiping = true;
-  if (wiping) {
-    session.wipe = std::min(std::max(io.MousePos.x / area.width, 0.0f), 1.0f);
+void take_drag(Session& session, const gpu::Drag& drag, const Area& area) {
+  constexpr int left = 0, right = 1, middle = 2;
+  const glm::vec2 from(drag.from_x, drag.from_y);
+  if (drag.click) {
+    if (drag.button == left) pick_at(session, drag.x, drag.y, area);
     return;
   }
-
-  const glm::vec2 moved(io.MouseDelta.x / area.height, io.MouseDelta.y / area.height);
-  const bool left = ImGui::IsMouseDragging(ImGuiMouseButton_Left),
-             right = ImGui::IsMouseDragging(ImGuiMouseButton_Right),
-             middle = ImGui::IsMouseDragging(ImGuiMouseButton_Middle);
-  if ((left || right || middle) && moved != glm::vec2(0.0f)) {
-    if (left && io.KeyCtrl) {
-      session.view.env_rotation =
-          std::remainder(session.view.env_rotation + 360.0f * moved.x, 360.0f);
-      session.requests.light = true;
-    } else if (right || io.KeyShift) {
-      pan(place(session), moved);
-    } else if (middle && io.KeyCtrl) {
-      dolly(place(session), std::exp(2.0f * moved.y), {0.0f, 0.0f}, session.scene->bounds.radius());
-    } else {
-      orbit(place(session), -turn_per_height * moved.x, turn_per_height * moved.y);
-    }
+  if (drag.button == left && (session.wiping == from || takes_wipe(session, from.x, area))) {
+    session.wiping = from;
+    session.wipe = std::min(std::max(drag.x / area.width, 0.0f), 1.0f);
+    return;
   }
-  if (io.MouseWheel != 0.0f)
+  session.wiping.reset();
+  const glm::vec2 moved = glm::vec2(drag.moved_x, drag.moved_y) / area.height;
+  if (drag.button == left && drag.control) {
+    session.view.env_rotation =
+        std::remainder(session.view.env_rotation + 360.0f * moved.x, 360.0f);
+    session.requests.light = true;
+  } else if (drag.button == right || drag.shift) {
+    pan(place(session), moved);
+  } else if (drag.button == middle && drag.control) {
+    dolly(place(session), std::exp(2.0f * moved.y), {0.0f, 0.0f}, session.scene->bounds.radius());
+  } else {
+    orbit(place(session), -turn_per_height * moved.x, turn_per_height * moved.y);
+  }
+}
+
+void take_mouse(Session& session, const std::vector<gpu::Drag>& drags, const Area& area) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantCaptureMouse) return;
+  if (takes_wipe(session, io.MousePos.x, area)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  for (const gpu::Drag& drag : drags)
+    if (drag.from_x < area.width) take_drag(session, drag, area);
+  if (io.MouseWheel != 0.0f && io.MousePos.x < area.width)
     dolly(place(session), std::pow(dolly_per_notch, io.MouseWheel),
           {(io.MousePos.x - 0.5f * area.width) / area.height, io.MousePos.y / area.height - 0.5f},
           session.scene->bounds.radius());
-  // A click is a press and a release at one place.
-  const ImVec2 drag = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
-  if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)
-      && std::hypot(drag.x, drag.y) < io.MouseDragThreshold)
-    pick_at(session, io.MousePos, area);
 }
 
 void take_view_key(Session& session, const gpu::KeyPress& press) {
@@ -173,7 +170,7 @@ void take_key(Session& session, const gpu::KeyPress& press) {
 } // namespace
 
 void take_input(Session& session, const Area& area, const std::vector<gpu::KeyPress>& keys,
-                double seconds) {
+                const std::vector<gpu::Drag>& drags, double seconds) {
   const bool typing = ImGui::GetIO().WantTextInput;
   session.flicker = !typing && ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space));
   for (const gpu::KeyPress& press : keys) {
@@ -186,7 +183,7 @@ void take_input(Session& session, const Area& area, const std::vector<gpu::KeyPr
       take_key(session, press);
   }
   if (!session.scene) return;
-  take_mouse(session, area);
+  take_mouse(session, drags, area);
   if (session.turntable) orbit(place(session), turntable_speed * static_cast<float>(seconds), 0.0f);
 }
 

@@ -11,10 +11,10 @@ struct Area {
   float width = 1.0f, height = 1.0f;
 };
 
-// Reads ImGui::GetIO() after the panels have been built, which come first. `keys` that were pressed; `seconds` since the last call,
-// for the turntable.
+// After the panels have been built, which come first: keys that were pressed, movements with a button held, and of ImGui::GetIO() the
+// wheel. `seconds` since the last call, for the turntable.
 void take_input(Session& session, const Area& area, const std::vector<gpu::KeyPress>& keys,
-                double seconds);
+                const std::vector<gpu::Drag>& drags, double seconds);
 
 // What the keys are, for the panel.
 const char* help();

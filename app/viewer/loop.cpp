@@ -63,7 +63,7 @@ void Application::frame() {
   }
   draw_panels(session_, commands_.methods, window_->scale());
   const auto now = Clock::now();
-  take_input(session_, {width, io.DisplaySize.y}, window_->take_keys(),
+  take_input(session_, {width, io.DisplaySize.y}, window_->take_keys(), window_->take_drags(),
              std::chrono::duration<double>(now - last_frame_).count());
   last_frame_ = now;
   carry_out();

@@ -60,8 +60,9 @@ struct Session {
   std::string second;                     // or another method, if this is its name
   double first_ms = 0.0, second_ms = 0.0; // of one sample at full size
   Comparing comparing = Comparing::wipe;
-  float wipe = 0.5f;    // where the second begins
-  bool flicker = false; // the key that shows it alone is held
+  float wipe = 0.5f;               // where the second begins
+  std::optional<glm::vec2> wiping; // where the drag began that moves it
+  bool flicker = false;            // the key that shows it alone is held
   std::shared_ptr<const TruthRun::Report> report;
 
   Requests requests;

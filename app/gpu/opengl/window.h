@@ -29,6 +29,7 @@ public:
   void wake() override { glfwPostEmptyEvent(); }
   std::uint64_t event_count() const override { return window_.event_count(); }
   std::vector<KeyPress> take_keys() override { return window_.take_keys(); }
+  std::vector<Drag> take_drags() override { return window_.take_drags(); }
   std::vector<std::string> take_dropped() override { return window_.take_dropped(); }
   void begin_frame() override;
   void present(const TextureRef& picture, std::vector<std::byte>* shown) override;

@@ -109,9 +109,15 @@ void GlfwWindow::listen() {
                              (modifiers & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT});
   });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { ++self(w).events_; });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { ++self(w).events_; });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+    ++self(w).events_;
+    if (button >= 0 && button < 3) self(w).take_button(button, action == GLFW_PRESS);
+  });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { ++self(w).events_; });
-  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { ++self(w).events_; });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+    ++self(w).events_;
+    self(w).take_cursor(static_cast<float>(x), static_cast<float>(y));
+  });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { ++self(w).events_; });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { ++self(w).events_; });
   glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { ++self(w).events_; });
@@ -161,6 +167,51 @@ void GlfwWindow::wait(double seconds) {
 
 std::vector<KeyPress> GlfwWindow::take_keys() {
   return std::exchange(keys_, {});
+}
+
+Drag GlfwWindow::drag_of(int button) const {
+  const auto held = [this](int left, int right) {
+    return glfwGetKey(window_, left) == GLFW_PRESS || glfwGetKey(window_, right) == GLFW_PRESS;
+  };
+  const Button& from = buttons_[static_cast<std::size_t>(button)];
+  return {.button = button,
+          .control = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+          .shift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+          .from_x = from.x,
+          .from_y = from.y,
+          .x = x_,
+          .y = y_};
+}
+
+void GlfwWindow::take_button(int button, bool down) {
+  Button& held = buttons_[static_cast<std::size_t>(button)];
+  if (!down && held.down && !held.moved) {
+    drags_.push_back(drag_of(button));
+    drags_.back().click = true;
+  }
+  held = {down, false, x_, y_};
+}
+
+void GlfwWindow::take_cursor(float x, float y) {
+  constexpr float hand_is_still = 4.0f; // a click may move the mouse by so much
+  const float moved_x = x - x_, moved_y = y - y_;
+  x_ = x, y_ = y;
+  for (int button = 0; button < 3; ++button) {
+    Button& held = buttons_[static_cast<std::size_t>(button)];
+    if (!held.down) continue;
+    Drag drag = drag_of(button);
+    if (held.moved) {
+      drag.moved_x = moved_x, drag.moved_y = moved_y;
+    } else {
+      drag.moved_x = x - held.x, drag.moved_y = y - held.y;
+      held.moved = std::hypot(drag.moved_x, drag.moved_y) > hand_is_still;
+    }
+    if (held.moved) drags_.push_back(drag);
+  }
+}
+
+std::vector<Drag> GlfwWindow::take_drags() {
+  return std::exchange(drags_, {});
 }
 
 std::vector<std::string> GlfwWindow::take_dropped() {

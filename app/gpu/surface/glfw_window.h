@@ -7,6 +7,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ public:
   void poll();
   void wait(double seconds);
   std::vector<KeyPress> take_keys();
+  std::vector<Drag> take_drags();
   std::vector<std::string> take_dropped();
 
   // Dear ImGui's context and its GLFW backend; the drawing is the caller's.
@@ -42,6 +44,9 @@ public:
 private:
   void listen();
   void read_size();
+  Drag drag_of(int button) const;
+  void take_button(int button, bool down);
+  void take_cursor(float x, float y);
 
   GLFWwindow* window_ = nullptr;
   int width_ = 0, height_ = 0;
@@ -49,6 +54,13 @@ private:
   int windowed_[4] = {0, 0, 1280, 720}; // where it was before it filled the screen
   std::uint64_t events_ = 0;
   std::vector<KeyPress> keys_;
+  std::vector<Drag> drags_;
+  struct Button {
+    bool down = false, moved = false;
+    float x = 0.0f, y = 0.0f; // where it went down
+  };
+  std::array<Button, 3> buttons_;
+  float x_ = 0.0f, y_ = 0.0f; // of the cursor, as of the last event
   std::vector<std::string> dropped_;
   bool panels_ = false;
 };
