@@ -118,6 +118,7 @@ private:
 Builder::Builder(gpu::Device& device, const Map& map)
     : device_(device), map_(fitted(map)), plan_(plan_stack(map_)), face_(face_of(map_)),
       steps_(device) {
+  stack_.sun = sun_of(map_);
   // The next power of two above the brightest pixel becomes 32,768, half of what a half float can hold.
   const float peak = *std::ranges::max_element(map_.rgb);
   stack_.unit =

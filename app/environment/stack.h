@@ -2,6 +2,7 @@
 #pragma once
 
 #include "environment/map.h"
+#include "environment/sun.h"
 #include "gpu/device.h"
 
 #include <glm/vec4.hpp>
@@ -22,6 +23,7 @@ struct Stack {
   glm::vec4 shape{
       0.0f}; // `stack` of gaussian_stack.glsl: sigma of even 0 and even 1 as read, levels past it, unit
   float unit = 1.0f;
+  Sun sun; // of the map's frame
 };
 
 // sigma of the texels of a level, radians: the Gaussian between the map's pixels, taken as points, and the texels.

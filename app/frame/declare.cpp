@@ -10,7 +10,6 @@ Graph graph_of(const needs::Needs& needs) {
   declare_opaque(graph, needs);
   declare_material_depth(graph, needs);
   declare_deferred(graph, needs);
-  declare_reflective(graph, needs, false);
   declare_blended(graph, needs);
   for (std::size_t l = 0; l < needs.layers.size(); ++l) { // far to near
     std::optional<Backdrop> backdrop;
@@ -22,7 +21,6 @@ Graph graph_of(const needs::Needs& needs) {
     const std::optional<Input> interior = declare_interior(graph, needs, l);
     declare_refractive(graph, needs, l, backdrop, interior);
   }
-  declare_reflective(graph, needs, true);
   declare_accumulate(graph, needs);
   return graph;
 }

@@ -100,6 +100,11 @@ void Draws::bind(gpu::Encoder& encoder, const gpu::PipelineRef& pipeline,
                  instances.size);
   encoder.buffer("Material", materials.buffer, materials.offset(draw.material_index),
                  materials.size);
+  if (!draw.neighbours.empty()) {
+    const UniformArray& neighbours = uploaded_.neighbours();
+    encoder.buffer("Neighbours", neighbours.buffer,
+                   neighbours.offset(uploaded_.neighbour_block(draw)), neighbours.size);
+  }
   const tables::ModelTables& tables =
       tables_.of(needs::model_of(*draw.material, uploaded_.needs().view.correlated_smith));
   if (tables.energy) {

@@ -32,6 +32,14 @@ std::vector<uniforms::FrameData> frame_blocks(const FrameDesc& desc, const needs
   f.environment = {std::cos(desc.environment.rotation), std::sin(desc.environment.rotation),
                    desc.environment.intensity, 0.0f};
   if (desc.environment.stack) f.stack = desc.environment.stack->shape;
+  if (desc.environment.stack && needs.proxies) {
+    const environment::Sun& sun = desc.environment.stack->sun;
+    const double c = std::cos(desc.environment.rotation), s = std::sin(desc.environment.rotation);
+    const glm::dvec3& d = sun.direction; // back from the map: inEnvironment's inverse
+    f.sunDirection = glm::vec4(c * d.x + s * d.z, d.y, c * d.z - s * d.x, sun.sigma);
+    f.sunIrradiance =
+        glm::vec4(static_cast<double>(desc.environment.intensity) * sun.irradiance, 0.0);
+  }
   f.picture = {desc.width, desc.height,
                0.5 * uniforms::clip_from_view(camera, aspect)[1][1] * desc.height,
                pyramid_levels - 1};

@@ -28,11 +28,14 @@ std::vector<Share> memory_of(const needs::Needs& needs, const Graph& graph) {
   for (const needs::Image& image : needs.images)
     textures += needs::bytes_of(image);
   const std::size_t regions = region_blocks(needs).size();
+  const auto surrounded = static_cast<std::size_t>(std::ranges::count_if(
+      needs.draws.all, [](const needs::Draw& draw) { return !draw.neighbours.empty(); }));
   const std::size_t uniforms =
       padded<uniforms::FrameData>(static_cast<std::size_t>(needs.view.samples))
       + padded<uniforms::MaterialData>(needs.draws.materials.size())
       + padded<uniforms::InstanceData>(needs.draws.instances.size())
       + padded<uniforms::RegionData>(regions)
+      + (surrounded > 0 ? padded<uniforms::NeighboursData>(surrounded) : 0)
       + std::max<std::size_t>(scene.lights.size(), 1) * sizeof(uniforms::LightData);
   return {{"environment", needs.view.environment.value_or(0)},
           {"tables", tables},

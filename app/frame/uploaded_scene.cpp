@@ -1,5 +1,7 @@
 #include "frame/uploaded_scene.h"
 
+#include "frame/neighbour_blocks.h"
+
 #include <array>
 #include <bit>
 #include <cmath>
@@ -161,6 +163,12 @@ void UploadedScene::upload_blocks() {
   for (const scene::Instance* i : needs_->draws.instances)
     instances.push_back(block_of(*i, instances.size()));
   update_uniforms(device_, instances_, "instances", instances);
+
+  neighbour_blocks_.clear();
+  for (const needs::Draw& draw : needs_->draws.all)
+    if (!draw.neighbours.empty()) neighbour_blocks_.emplace(&draw, neighbour_blocks_.size());
+  if (!neighbour_blocks_.empty())
+    update_uniforms(device_, neighbours_, "neighbours", neighbour_blocks(*needs_));
 
   if (lights_) return;
   std::vector<uniforms::LightData> lights;

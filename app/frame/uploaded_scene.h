@@ -34,6 +34,8 @@ public:
   std::vector<gpu::View> sampled() const; // all images
   const UniformArray& materials() const { return materials_; }
   const UniformArray& instances() const { return instances_; }
+  const UniformArray& neighbours() const { return neighbours_; } // by neighbour_block()
+  std::size_t neighbour_block(const needs::Draw& draw) const { return neighbour_blocks_.at(&draw); }
   const gpu::BufferRef& lights() const { return lights_; } // one unused light if there are none
 
 private:
@@ -44,7 +46,8 @@ private:
   gpu::Device& device_;
   const needs::Needs* needs_ = nullptr;
   std::map<scene::Index, gpu::BufferRef> streams_, indices_;
-  UniformArray materials_, instances_;
+  UniformArray materials_, instances_, neighbours_;
+  std::map<const needs::Draw*, std::size_t> neighbour_blocks_; // of draws that have neighbours
   gpu::BufferRef lights_;
   std::map<std::pair<scene::Index, bool>, gpu::TextureRef> images_; // by index, and whether sRGB
   std::map<scene::Index, gpu::SamplerRef> samplers_;                // by glTF texture

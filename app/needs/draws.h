@@ -7,6 +7,8 @@
 #include "scene/scene.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,8 @@ struct Draw {
   std::vector<VertexInput> inputs;
   std::vector<Map> maps;
   std::size_t index_count = 0;
+  std::vector<std::uint32_t> neighbours;  // proxies (needs/neighbours.h)
+  std::optional<std::uint32_t> own_proxy; // if one stands for all of its body
   bool mirrored = false, both_sides = false;
   // Blended and, unless a map says otherwise, more there than not: what looks for what stands behind glass finds it.
   bool fills_depth = false;

@@ -69,10 +69,14 @@ enum class Feature : std::uint32_t {
   lobe_taps,
   seen_from_within,
   smooth,
+  neighbours, // of NeighbourKind
+  own_proxy,
   count
 };
 enum class Shading { unlit, dielectric, metal, mixed, conductor };
 enum class Transmission { none, thin, solid };
+// Bits of what a draw's neighbours are.
+enum NeighbourKind { some_spheres = 1, some_rectangles = 2, some_glass = 4 };
 
 // True for a material that light passes by refraction. Its alpha mode does not matter.
 bool is_refractive(const scene::Material& material);
@@ -118,7 +122,7 @@ struct Features {
   std::vector<int> uv_sets; // element k feeds the shader's k-th set
 };
 // The features of one primitive: only what its material and its streams make a difference with. What depends on other
-// draws or on the camera (holds_opaque, interior_pairs, seen_from_within) is left at 0.
+// draws or on the camera (holds_opaque, interior_pairs, seen_from_within, neighbours) is left at 0.
 Features features_of(const scene::Scene& scene, const scene::Material& material,
                      const scene::Primitive& primitive, const FrameFeatures& frame);
 

@@ -1,5 +1,6 @@
 #include "needs/needs.h"
 
+#include "needs/neighbours.h"
 #include "needs/regions.h"
 
 #include <algorithm>
@@ -13,14 +14,6 @@ namespace {
 // the light, 7 %.
 constexpr std::size_t most_layers = 32;
 
-// Whether a thing's reflection shows what stands about it: metals, and what is glossy. A rough
-// dielectric reflects 4 % of a blur of half the world: its error without is below that.
-bool reflects_company(const Draw& draw) {
-  const scene::Material& m = *draw.material;
-  if (m.unlit) return false;
-  return m.conductor || m.metallic > 0.0f || scene::microfacet_alpha(m) < 0.25f;
-}
-
 void sort_opaque(Needs& needs) {
   std::vector<const Draw*> draws;
   for (const Draw& draw : needs.draws.all)
@@ -29,11 +22,6 @@ void sort_opaque(Needs& needs) {
   const auto fine = std::ranges::stable_partition(draws, std::not_fn(&Draw::by_pixel));
   needs.opaque_regions = opaque_regions_of({fine.begin(), fine.end()}, needs.view);
   needs.opaque.assign(draws.begin(), fine.begin());
-  if (!needs.company) return;
-  std::ranges::copy_if(needs.opaque, std::back_inserter(needs.reflective),
-                       [](const Draw* draw) { return reflects_company(*draw); });
-  for (const Region& region : needs.opaque_regions)
-    if (reflects_company(*region.draws.front())) needs.reflective_regions.push_back(&region);
 }
 
 void sort_layers(Needs& needs) {
@@ -106,35 +94,20 @@ std::size_t Needs::triangle_count() const {
   return count;
 }
 
-bool shows_glass(const Draw& reflective) {
-  const auto shading = static_cast<Shading>(value_of(reflective.key, Feature::shading));
-  return shading == Shading::metal || shading == Shading::mixed || shading == Shading::conductor;
-}
-
-bool Needs::reflects_glass() const {
-  const auto shows = [](const Draw* draw) { return shows_glass(*draw); };
-  const bool any = std::ranges::any_of(reflective, shows)
-                   || std::ranges::any_of(reflective_regions, shows, [](const Region* region) {
-                        return region->draws.front();
-                      });
-  const auto is_glass = [](const LayerDraw& of) { return !of.draw->is_straight(); };
-  const bool blended =
-      !over_opaque.empty()
-      || std::ranges::any_of(layers, std::not_fn(&std::vector<LayerDraw>::empty), &Layer::blended);
-  return any && !blended && std::ranges::any_of(layers, [&](const Layer& layer) {
-           return !layer.regions.empty() || std::ranges::any_of(layer.refractive, is_glass);
-         });
-}
-
 Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes) {
   Shapes own(scene);
+  if (!shapes) shapes = &own;
   Needs needs;
   needs.scene = &scene;
   needs.view = view;
-  needs.draws = draws_of(scene, view, shapes ? *shapes : own);
+  needs.draws = draws_of(scene, view, *shapes);
   needs.sky = view.environment.has_value();
   needs.company = needs.sky && needs.draws.all.size() > 1 && view.method != Method::standard;
   if (view.method != Method::standard) needs.walls = walls_of(scene, needs.draws);
+  if (view.method != Method::standard && (needs.sky || !scene.lights.empty())) {
+    needs.proxies = shapes->proxies();
+    find_neighbours(needs.draws, scene, *needs.proxies);
+  }
   mark_fine(needs.draws.all, view);
   needs.bounds = bounds_of(needs.draws.all, scene.bounds);
   sort_opaque(needs);

@@ -5,11 +5,13 @@
 #include "needs/draws.h"
 #include "needs/layers.h"
 #include "needs/memory.h"
+#include "needs/proxies.h"
 #include "needs/tables.h"
 #include "needs/view.h"
 #include "needs/walls.h"
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,14 +35,14 @@ struct Needs {
   View view;
   Draws draws;
   // Near to far: the depth test then spares hidden shading.
-  std::vector<const Draw*> opaque;     // shaded by their triangles
-  std::vector<Region> opaque_regions;  // of one material each, shaded by their pixels
-  std::vector<const Draw*> reflective; // of these, what shows things that stand about it
-  std::vector<const Region*> reflective_regions;
+  std::vector<const Draw*> opaque;    // shaded by their triangles
+  std::vector<Region> opaque_regions; // of one material each, shaded by their pixels
   std::vector<LayerDraw> over_opaque; // blended surfaces with no glass behind them
   std::vector<Layer> layers;          // the farthest first, each with glass in it or behind it
-  bool company = false;               // reflections can meet other things
-  std::vector<Wall> walls;            // that they can meet where the picture ends
+  bool company = false;               // what leaves glass can meet other things
+  std::shared_ptr<const Proxies>
+      proxies;             // of all that stands in the scene; none where no draw asks for them
+  std::vector<Wall> walls; // that they can meet where the picture ends
   bool sky = false;
   scene::Bounds bounds; // of what is drawn, in the world: beyond it no ray meets anything
 
@@ -49,16 +51,10 @@ struct Needs {
   std::vector<scene::Index> streams, index_lists; // of the scene, that draws read
   Lookups lookups;
 
-  bool reflects() const { return !reflective.empty() || !reflective_regions.empty(); }
   // Some opaque surfaces are shaded after the pass that draws the others: blended ones lie over them later still.
-  bool shades_opaque_late() const { return reflects() || !opaque_regions.empty(); }
-  // What reflects is shaded once more when glass is there to be seen in it. Nothing blended may lie over it then.
-  bool reflects_glass() const;
+  bool shades_opaque_late() const { return !opaque_regions.empty(); }
   std::size_t triangle_count() const; // per sample, each draw once
 };
-
-// Whether a reflective surface is shaded again for the glass about it: metal. Others reflect a few hundredths of it.
-bool shows_glass(const Draw& reflective);
 
 // Total reflections inside a solid that are followed.
 inline constexpr int most_bounces = 4;

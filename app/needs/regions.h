@@ -11,7 +11,7 @@ namespace gg::needs {
 // Marks the opaque draws whose triangles are so small on the screen that shading by pixels costs less (Draw::by_pixel).
 void mark_fine(std::vector<Draw>& draws, const View& view);
 
-// One region for the draws of each material, in their order: shading takes nothing else from a draw.
+// One region for the draws of each material that have the same neighbours, in their order: shading takes nothing else from a draw.
 std::vector<Region> opaque_regions_of(const std::vector<const Draw*>& draws, const View& view);
 
 } // namespace gg::needs

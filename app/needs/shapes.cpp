@@ -14,4 +14,9 @@ const scene::SolidShape& Shapes::of(const scene::Instance& instance, scene::Inde
   return at->second = scene::solid_shape(scene_, parts);
 }
 
+std::shared_ptr<const Proxies> Shapes::proxies() {
+  if (!proxies_) proxies_ = std::make_shared<const Proxies>(proxies_of(scene_));
+  return proxies_;
+}
+
 } // namespace gg::needs

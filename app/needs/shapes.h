@@ -1,11 +1,13 @@
-// The shapes of solids, each worked out once: by mesh and body.
+// The shapes of solids, by mesh and body, and what stands for the things of the scene: each worked out once.
 #pragma once
 
+#include "needs/proxies.h"
 #include "scene/bodies.h"
 #include "scene/scene.h"
 #include "scene/solid_shape.h"
 
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -13,19 +15,17 @@ namespace gg::needs {
 
 class Shapes {
 public:
-  explicit Shapes(const scene::Scene& scene) // must outlive this
-      : scene_(scene), bodies_(scene::body_materials(scene)) {}
-  // The material that stands for the body of this one (scene/bodies.h).
-  scene::Index body(scene::Index material) const {
-    return bodies_[static_cast<std::size_t>(material)];
-  }
-  // Of the solid that the instance's primitives of that body make together.
-  const scene::SolidShape& of(const scene::Instance& instance, scene::Index body_of);
+// The shapes of solids, by mesh and body, and what stands for the things of the scene: each worked out once.
+#pragma once
+
+#include "needs/proxies.h"
+#include "scene/bodies.h"
 
 private:
   const scene::Scene& scene_;
   std::vector<scene::Index> bodies_;
   std::map<std::pair<scene::Index, scene::Index>, scene::SolidShape> shapes_;
+  std::shared_ptr<const Proxies> proxies_;
 };
 
 } // namespace gg::needs

@@ -13,7 +13,7 @@ namespace {
 struct FeatureName {
   Feature feature;
   const char* name;
-  std::array<const char*, 5> values{};
+  std::array<const char*, 8> values{};
 };
 constexpr FeatureName names[] = {
     {Feature::shading, "shading", {"unlit", "dielectric", "metal", "mixed", "conductor"}},
@@ -46,6 +46,11 @@ constexpr FeatureName names[] = {
      "reflection by",
      {nullptr, "one tap", "two taps", "three taps", "four taps"}},
     {Feature::interior_pairs, "interior", {nullptr, "one pair of faces", "two pairs of faces"}},
+    {Feature::neighbours,
+     "neighbours",
+     {nullptr, "spheres", "rectangles", "spheres and rectangles", nullptr,
+      "spheres, glass among them", "rectangles, glass among them",
+      "spheres and rectangles, glass among them"}},
 };
 
 std::string name_of(const FeatureName& feature, int value) {
@@ -64,7 +69,7 @@ std::string counted(std::size_t n, const char* thing) {
 std::vector<FeatureUse> features_in_use(const std::vector<Draw>& draws) {
   std::vector<FeatureUse> uses;
   for (const FeatureName& feature : names)
-    for (int value = 0; value < 5; ++value) {
+    for (int value = 0; value < static_cast<int>(feature.values.size()); ++value) {
       // Without names of values every value but 0 is the same: present.
       const bool named = feature.values[1] != nullptr;
       if (named ? !feature.values[static_cast<std::size_t>(value)] : value != 1) continue;

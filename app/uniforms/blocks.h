@@ -15,14 +15,16 @@ using glm::vec4;
 #include "../../shaders/interface/instance.glsl"
 #include "../../shaders/interface/lights.glsl"
 #include "../../shaders/interface/material.glsl"
+#include "../../shaders/interface/neighbours.glsl"
 #include "../../shaders/interface/region.glsl"
 
 // std140 and std430 place these types at multiples of 16 bytes with no holes, which is what C++
 // does too.
-static_assert(offsetof(FrameData, eye) == 128 && sizeof(FrameData) == 464);
+static_assert(offsetof(FrameData, eye) == 128 && sizeof(FrameData) == 496);
 static_assert(offsetof(InstanceData, normalFromMesh) == 64 && sizeof(InstanceData) == 128);
 static_assert(offsetof(LightData, cone) == 48 && sizeof(LightData) == 64);
 static_assert(offsetof(MaterialData, baseColorRow0) == 128 && sizeof(MaterialData) == 416);
+static_assert(sizeof(NeighbourData) == 112 && offsetof(NeighboursData, each) == 16);
 static_assert(sizeof(RegionData) == 32);
 
 } // namespace gg::uniforms

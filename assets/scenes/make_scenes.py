@@ -289,6 +289,26 @@ class Document:
         return self.material(name, {"metallicFactor": 1.0, "roughnessFactor": math.sqrt(alpha)},
                              extras={"preset": preset, "alpha": alpha})
 
+    def plain(self, name, colour, roughness, metallic=0.0):
+        return self.material(name, {"baseColorFactor": [*colour, 1.0], "metallicFactor": metallic,
+                                    "roughnessFactor": roughness})
+
+    def light(self, kind, eye, target, colour, intensity, cones=None):
+        """KHR_lights_punctual: looks from `eye` to `target`; lux if directional, else candela."""
+        used = set(self.json.get("extensionsUsed", [])) | {"KHR_lights_punctual"}
+        self.json["extensionsUsed"] = sorted(used)
+        lights = self.json.setdefault("extensions", {"KHR_lights_punctual": {"lights": []}})["KHR_lights_punctual"]["lights"]
+        entry = {"name": f"{kind} light", "type": kind, "color": colour, "intensity": intensity}
+        if cones:
+            entry["spot"] = {"innerConeAngle": cones[0], "outerConeAngle": cones[1]}
+        lights.append(entry)
+        back = normalised([e - t for e, t in zip(eye, target)])
+        side = normalised((back[2], 0.0, -back[0]))
+        up = (back[1] * side[2] - back[2] * side[1], back[2] * side[0] - back[0] * side[2],
+              back[0] * side[1] - back[1] * side[0])
+        self.node({"name": entry["name"], "matrix": [*side, 0.0, *up, 0.0, *back, 0.0, *(float(e) for e in eye), 1.0],
+                   "extensions": {"KHR_lights_punctual": {"light": len(lights) - 1}}})
+
     def board(self, name, columns, rows, colour, unlit):
         """A checkerboard. Its texels are squares and unfiltered, so that every method reads the same edges."""
         sampler = {"magFilter": 9728, "minFilter": 9728, "wrapS": 33071, "wrapT": 33071}
@@ -411,10 +431,62 @@ def etched():
     return d
 
 
+def contact():
+    """Things that touch each other and a glossy floor, beside a steel plate: contacts darken, colours bleed."""
+    d = Document()
+    d.floor(d.plain("Floor", [0.55, 0.53, 0.5], 0.3), (7, 7), (0, 0, 0))
+    d.place("Plate", BOX, d.plain("Steel", [0.6, 0.58, 0.56], 0.4, 1.0), (0, 0.8, -1.1), (3.4, 1.6, 0.04))
+    d.place("Rough metal", FINE_BALL, d.plain("Rough metal", [0.7, 0.68, 0.66], 0.7, 1.0), (-0.9, 0.5, -0.1), (0.5, 0.5, 0.5))
+    d.place("Gold ball", FINE_BALL, d.metal("Gold", "gold", 0.04), (0.1, 0.5, -0.1), (0.5, 0.5, 0.5))
+    d.place("Red box", BOX, d.plain("Red", [0.7, 0.06, 0.04], 0.5), (1.0, 0.4, -0.1), (0.8, 0.8, 0.8))
+    d.place("White ball", FINE_BALL, d.plain("White", [0.85, 0.85, 0.85], 0.6), (0.45, 0.3, 0.75), (0.3, 0.3, 0.3))
+    d.camera((0.3, 1.7, 4.6), (0.1, 0.45, 0), 34)
+    return d
+
+
+def suzanne():
+    """Positions, normals and triangles of Suzanne/Suzanne.gltf."""
+    data = (Path(__file__).parent / "Suzanne" / "Suzanne.bin").read_bytes()
+    indices = [i[0] for i in struct.iter_unpack("<H", data[:23616])]
+    points = list(struct.iter_unpack("<3f", data[23616:165312]))
+    normals = list(struct.iter_unpack("<3f", data[165312:307008]))
+    return points, normals, None, [tuple(indices[i : i + 3]) for i in range(0, len(indices), 3)]
+
+
+def odd_neighbours():
+    """Two heads, which are no balls, among metal balls."""
+    d = Document()
+    head = ("suzanne", suzanne)
+    d.place("Copper head", head, d.metal("Copper", "copper", 0.2), (-0.95, 0.0, 0.1), (0.6, 0.6, 0.6), (0, 0.17, 0, 0.985))
+    d.place("Red head", head, d.plain("Red", [0.7, 0.07, 0.05], 0.4), (0.95, 0.1, 0.0), (0.6, 0.6, 0.6), (0, -0.25, 0, 0.968))
+    d.place("Gold ball", FINE_BALL, d.metal("Gold", "gold", 0.04), (0.0, -0.45, 0.75), (0.4, 0.4, 0.4))
+    d.place("Steel ball", FINE_BALL, d.plain("Steel", [0.6, 0.58, 0.56], 0.5, 1.0), (0.0, 0.6, 0.1), (0.4, 0.4, 0.4))
+    d.place("Rough ball", FINE_BALL, d.plain("Rough", [0.75, 0.75, 0.75], 0.85, 1.0), (0.0, -0.1, -0.9), (0.5, 0.5, 0.5))
+    d.camera((0.2, 0.6, 5.2), (0, 0.05, 0), 30)
+    return d
+
+
+def lamp():
+    """Two lamps: shadows of balls, of a box, and through coloured glass."""
+    d = Document()
+    d.floor(d.plain("Floor", [0.7, 0.69, 0.67], 0.6), (7, 7), (0, 0, 0))
+    d.place("Amber glass", FINE_BALL, d.glass("Amber", 0.1, 2.0, [0.9, 0.5, 0.12], 0.6), (-1.0, 0.5, 0.2), (0.5, 0.5, 0.5))
+    d.place("Green pane", BOX, d.glass("Green", 0.05, 1.0, [0.25, 0.8, 0.35], 0.1), (1.15, 0.6, -0.2), (1.0, 1.2, 0.08),
+            (0, 0.26, 0, 0.966))
+    d.place("Copper ball", FINE_BALL, d.metal("Copper", "copper", 0.15), (0.05, 0.45, -0.3), (0.45, 0.45, 0.45))
+    d.place("White ball", FINE_BALL, d.plain("White", [0.85, 0.85, 0.85], 0.6), (0.2, 0.25, 0.8), (0.25, 0.25, 0.25))
+    d.place("Blue box", BOX, d.plain("Blue", [0.08, 0.15, 0.6], 0.5), (1.1, 0.2, 0.9), (0.4, 0.4, 0.4))
+    d.light("spot", (-2.2, 3.2, 1.6), (0, 0.2, 0), [1.0, 0.93, 0.82], 40.0, (0.35, 0.6))
+    d.light("directional", (2.0, 3.0, -1.2), (0, 0, 0), [0.8, 0.9, 1.0], 1.2)
+    d.camera((0.1, 2.0, 4.8), (0.05, 0.35, 0), 36)
+    return d
+
+
 def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent
     scenes = {"ball-grid": ball_grid(), "slabs-0.02": slabs(0.02), "slabs-0.2": slabs(0.2), "slabs-2": slabs(2.0),
-              "panes": panes(), "glass-behind-glass": glass_behind_glass(), "wineglass": wineglass(), "etched": etched()}
+              "panes": panes(), "glass-behind-glass": glass_behind_glass(), "wineglass": wineglass(), "etched": etched(),
+              "contact": contact(), "odd-neighbours": odd_neighbours(), "lamp": lamp()}
     for name, document in scenes.items():
         data = document.bytes()
         (folder / f"{name}.glb").write_bytes(data)

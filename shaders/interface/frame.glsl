@@ -15,6 +15,8 @@ struct FrameData {
     vec4 part;          // xyz: of every beam, the part that this sample of a pixel stands for (refraction/beam_part.glsl);
                         // w: variance per axis of the places in its share of the pixel, pixels²
     ivec4 counts;       // x: punctual lights; y: walls
+    vec4 sunDirection;  // xyz: to the sun in the environment; w: half of its angular radius, sigma
+    vec4 sunIrradiance; // xyz: across that direction, 0: there is none
     vec4 walls[12];     // of each: its centre, metres; and the two gradients, per metre, of where on it a place is, -1 to 1
 };
 

@@ -25,17 +25,11 @@ vec3 multiplyScattered(Surface s, float albedo, vec3 meanFresnel) {
     return metal * (1.0 - albedo) * multipleFresnelRgb(meanFresnel, meanAlbedo(s.alpha));
 }
 
-// What arrives along a reflected direction: with company, what the picture shows where it meets that.
+// What arrives by a lobe about a reflected direction: from neighbours where there are any.
 vec3 reflectedRadiance(Surface s, vec3 direction, float sigma) {
-    Beam beam = straightBeam(s.position, direction, sigma);
-    beam.turn = s.turn;
-    if (!looksAround) return farRadiance(direction, seenSigma(beam));
-    // The surface itself stands in the depth that is searched: begin two of its pixels off it.
-    float pixel = (ofPixel(frame.eye.w) > 0.0 ? length(s.position - frame.eye.xyz) : 1.0) / frame.picture.z;
-    beam = partOf(beam);
-    beam.direction -= 2.0 * min(dot(beam.direction, s.n), 0.0) * s.n; // nothing comes from below: a wide part is folded up
-    beam.origin += 2.0 * pixel * (s.n + beam.direction);
-    return beamRadiance(beam, meetBackdrop(beam.origin, beam.direction, beam.sigma, false));
+    float seen = sqrt(sigma * sigma + s.turn);
+    if (neighbourKinds == 0) return farRadiance(direction, seen);
+    return surroundingRadiance(s.position, s.n, direction, seen);
 }
 
 // The reflection lobe: what arrives along the tap is seen times the weight. And all else that the surroundings make of the
@@ -72,16 +66,17 @@ EnvironmentLight environmentLobe(Surface s) {
 
     bool hasBase = shading == 1 || shading == 3;
     if (hasBase || scattersAgain) {
-        vec3 around = environmentIrradiance(irradianceCube, frame.stack, inEnvironment(s.n));
+        vec3 around = wideRadiance(s.n);
+        if (neighbourKinds != 0) around = surroundingIrradiance(s.position, s.n);
         if (hasBase) {
             vec3 angles = diffuseAngles(cosO);
             vec3 fresnel = mix(dielectricFresnel(s, angles.y), dielectricFresnel(s, angles.x), angles.z);
             float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
             float base = shading == 3 ? 1.0 - s.metallic : 1.0;
             if (transmission > 0) base *= 1.0 - s.transmission;
-            light.diffuse += base * under * s.baseColor * frame.environment.z * around;
+            light.diffuse += base * under * s.baseColor * around;
         }
-        if (scattersAgain) light.diffuse += multiplyScattered(s, albedo, reflectance) * frame.environment.z * around;
+        if (scattersAgain) light.diffuse += multiplyScattered(s, albedo, reflectance) * around;
     }
     light.diffuse *= s.occlusion;
     return light;

@@ -4,8 +4,9 @@
 // Returns  opaqueColor: linear radiance, premultiplied by the coverage in w. base: surfaceBaseColor().
 #include "stages/surface.glsl"
 #include "stages/reflectance.glsl"
-#include "stages/punctual_lights.glsl"
 #include "stages/environment.glsl"
+#include "stages/neighbours.glsl"
+#include "stages/punctual_lights.glsl"
 #include "stages/surroundings.glsl"
 #include "stages/environment_light.glsl"
 #include "stages/importance.glsl"

@@ -1,43 +1,14 @@
-// punctual_lights.glsl: light that arrives from points and directions (KHR_lights_punctual).
-// Needs    stages/reflectance.glsl, interface/lights.glsl.
-#include "stages/of_pixel.glsl"
-
-struct Arrival {
-    vec3 wi;         // unit, to the light
-    vec3 irradiance; // across wi: lux, or candela / m²
-};
-
-Arrival arrivalFrom(LightData light, vec3 position) {
-    Arrival a;
-    if (light.direction.w == 0.0) {
-        a.wi = -light.direction.xyz;
-        a.irradiance = light.intensity.xyz;
-        return a;
-    }
-    vec3 to = light.position.xyz - position;
-    float d2 = dot(to, to);
-    // At the light itself the law of distance has no value; there is nothing to light there either.
-    if (!(d2 > 0.0)) {
-        a.wi = vec3(0.0, 0.0, 1.0);
-        a.irradiance = vec3(0.0);
-        return a;
-    }
-    a.wi = to * inversesqrt(d2);
-    // "Range property": attenuation = saturate(1 - (d / range)^4) / d²; without a range the factor is 1.
-    float part = d2 * light.position.w;
-    a.irradiance = light.intensity.xyz * (clamp(1.0 - part * part, 0.0, 1.0) / d2);
-    if (light.direction.w == 2.0) {
-        float falloff = clamp(dot(light.direction.xyz, -a.wi) * light.cone.x + light.cone.y, 0.0, 1.0);
-        a.irradiance *= falloff * falloff;
-    }
-    return a;
-}
+// punctual_lights.glsl: what a surface makes of light from points and directions.
+// Needs    stages/reflectance.glsl, stages/neighbours.glsl.
 
 vec3 punctualLight(Surface s) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < ofPixel(frame.counts.x); ++i) {
         Arrival a = arrivalFrom(lights[i], s.position);
-        sum += a.irradiance * materialFCos(s, a.wi);
+        vec3 light = a.irradiance * materialFCos(s, a.wi);
+        if (neighbourKinds != 0 && ofPixel(light.x + light.y + light.z) > 0.0)
+            light *= passesNeighbours(s.position, a.wi, a.range, 0.0); // a point of light: as sharp as shares are
+        sum += light;
     }
     return sum;
 }

@@ -1,7 +1,7 @@
 // surroundings.glsl: what a beam of light that leaves the glass brings: the picture behind it where it can be seen, the
 // environment at the same width where it cannot.
 // Frame    world, metres; pixels from the top left corner.
-// Needs    interface/frame.glsl, stages/environment.glsl.
+// Needs    interface/frame.glsl, stages/neighbours.glsl.
 // Source   DESIGN.md §2 (5). A surface that a beam meets is looked for in the depth behind the layer: first from depth to
 //          depth (each read is taken for a plane across the view, whose meeting with the beam has a closed form), which finds
 //          walls and floors in two or three reads; where that does not settle, in steps that are even on the screen.
@@ -299,17 +299,6 @@ Meeting meetBackdrop(vec3 origin, vec3 direction, float sigma, bool guess) {
     met.from = guess ? pixelOf(from) : at; // what reflects stands in the picture itself: it is not read
     if (met.seen && met.distance > 0.0) met.foreshortening = foreshorteningAt(at, direction);
     return met;
-}
-
-vec3 farRadiance(vec3 direction, float sigma) {
-    if (!hasEnvironment) return vec3(0.0);
-    return frame.environment.z * environmentRadiance(stackEven, stackOdd, frame.stack, inEnvironment(direction), sigma);
-}
-
-// From all about a direction, as a diffuse surface would see it.
-vec3 wideRadiance(vec3 direction) {
-    if (!hasEnvironment) return vec3(0.0);
-    return frame.environment.z * environmentIrradiance(irradianceCube, frame.stack, inEnvironment(direction));
 }
 
 float seenSigma(Beam beam) { return sqrt(beam.sigma * beam.sigma + beam.turn); }

@@ -182,17 +182,10 @@ TEST(needs, thin_walls_read_tables_of_both_faces_and_none_of_one) {
   EXPECT_FALSE(has_table(needs::needs_of(box(glass(0.3f)), view(Method::lobes2)), "thin-wall"));
 }
 
-TEST(needs, only_what_shines_in_company_is_drawn_again_for_what_it_reflects) {
+TEST(needs, what_stands_around_opaque_things_asks_for_no_pass) {
   scene::Scene scene = box(metal(0.2f));
-  EXPECT_EQ(labels(needs::needs_of(scene, view())), Labels{"opaque"}) << "alone";
   add(scene, box(dielectric(0.9f)), at({1.5f, 0, 0}));
-  const Needs needs = needs::needs_of(scene, view());
-  EXPECT_EQ(labels(needs), (Labels{"opaque", "backdrop", "pyramid", "reflective"}));
-  EXPECT_EQ(needs.reflective.size(), 1u);
-
-  scene::Scene dull = box(dielectric(0.9f));
-  add(dull, box(dielectric(0.9f)), at({1.5f, 0, 0}));
-  EXPECT_EQ(labels(needs::needs_of(dull, view())), Labels{"opaque"});
+  EXPECT_EQ(labels(needs::needs_of(scene, view())), Labels{"opaque"});
 }
 
 TEST(needs, glass_behind_glass_takes_two_layers_the_farther_one_first) {
@@ -421,7 +414,7 @@ TEST(needs, what_takes_more_from_its_mesh_is_shaded_by_its_triangles) {
     EXPECT_EQ(labels(needs::needs_of(scene, view())), Labels{"opaque"});
 }
 
-TEST(needs, fine_meshes_of_one_material_share_a_region_and_are_shaded_again_where_they_shine) {
+TEST(needs, fine_meshes_of_one_material_and_the_same_neighbours_share_a_region) {
   const scene::Scene one = ball(metal(0.2f));
   scene::Scene scene = one;
   scene.instances.push_back({.mesh = 0, .name = "again"});
@@ -429,32 +422,15 @@ TEST(needs, fine_meshes_of_one_material_share_a_region_and_are_shaded_again_wher
   add(scene, ball(dielectric(0.9f)), at({-1.5f, 0, 0}));
   add(scene, box(metal(0.2f)), at({0, 2, 0}));
   const Needs needs = needs::needs_of(scene, view());
-  EXPECT_EQ(labels(needs), (Labels{"geometry", "opaque", "material depth", "deferred", "backdrop",
-                                   "pyramid", "reflective", "reflective"}));
-  ASSERT_EQ(needs.opaque_regions.size(), 2u);
-  EXPECT_EQ(needs.opaque_regions[0].draws.size() + needs.opaque_regions[1].draws.size(), 3u);
+  EXPECT_EQ(labels(needs), (Labels{"geometry", "opaque", "material depth", "deferred"}));
+  EXPECT_EQ(needs.opaque_regions.size(), 3u) << "each has the others around it";
   EXPECT_EQ(needs.opaque.size(), 1u);
-  EXPECT_EQ(needs.reflective.size(), 1u);
-  EXPECT_EQ(needs.reflective_regions.size(), 1u);
-}
-
-TEST(needs, what_reflects_is_shaded_again_once_the_glass_about_it_is_there) {
-  scene::Scene scene = square(metal(0.2f));
-  add(scene, box(glass(0.1f)), at({2.5f, 0, 0}));
-  const Labels drawn{"opaque",   "backdrop", "pyramid",     "reflective",
-                     "backdrop", "pyramid",  "interior F1", "interior B1",
-                     "glass",    "backdrop", "pyramid",     "reflective"};
-  const Needs needs = needs::needs_of(scene, view());
-  EXPECT_EQ(labels(needs), drawn);
-  // A glossy dielectric shows a few hundredths of it.
-  scene::Scene plaster = square(dielectric(0.3f));
-  add(plaster, box(glass(0.1f)), at({2.5f, 0, 0}));
-  EXPECT_EQ(labels(needs::needs_of(plaster, view())).back(), "glass");
-  // Not under something blended, which would be lost.
-  scene::Material veil = dielectric(0.5f);
-  veil.alpha_mode = scene::AlphaMode::blend;
-  add(scene, square(veil), at({0, 0, 1}));
-  EXPECT_NE(labels(needs::needs_of(scene, view())).back(), "reflective");
+  scene.instances[1].world = at({0, 0, -300.0f}); // no neighbour of the others, nor they of it
+  scene.instances[0].world = at({0, 0, -100.0f});
+  scene.instances[2].world = scene.instances[3].world = at({0, 300.0f, 0});
+  const Needs apart = needs::needs_of(scene, view());
+  ASSERT_EQ(apart.opaque_regions.size(), 1u);
+  EXPECT_EQ(apart.opaque_regions[0].draws.size(), 2u);
 }
 
 TEST(needs, a_map_that_cannot_matter_is_not_uploaded) {

@@ -111,13 +111,14 @@ TEST(needs, an_unused_feature_changes_neither_passes_nor_pixels_nor_cost) {
   expect_same(draw(plain), draw(laden));
 }
 
-TEST(needs, what_is_not_in_the_view_changes_no_pixel) {
+// Past what is a neighbour of something that is (needs/neighbours.h).
+TEST(needs, what_is_not_in_the_view_nor_near_changes_no_pixel) {
   const scene::Scene plain = company();
   scene::Scene laden = plain;
-  add(laden, ball(metal(0.1f)), at({40, 0, 0}));
-  add(laden, ball(glass(0.4f)), at({0, 0, 12}));
-  add(laden, box(dielectric(0.4f)), at({0, -30, -4}));
-  laden.bounds.include({41, -31, -5});
+  add(laden, ball(metal(0.1f)), at({80, 0, 0}));
+  add(laden, ball(glass(0.4f)), at({0, 0, 60}));
+  add(laden, box(dielectric(0.4f)), at({0, -120, -4}));
+  laden.bounds.include({81, -121, -5});
   expect_same(draw(plain), draw(laden));
 }
 

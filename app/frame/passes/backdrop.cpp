@@ -29,7 +29,7 @@ bool touches(const scene::Bounds& a, const scene::Bounds& b) {
 // contact the one is no picture that the other sees.
 bool sees_images(const needs::Needs& needs, std::size_t layer) {
   bool any = false;
-  for (std::size_t before = 0; before < std::min(layer, needs.layers.size()); ++before)
+  for (std::size_t before = 0; before < layer; ++before)
     for (const needs::Draw* image : needs.layers[before].solids) {
       if (!image->images) continue;
       any = true;
@@ -40,7 +40,7 @@ bool sees_images(const needs::Needs& needs, std::size_t layer) {
 }
 
 bool frame_blurs(const needs::Needs& needs) {
-  return needs.reflects() || std::ranges::any_of(needs.layers, &needs::Layer::blurs);
+  return std::ranges::any_of(needs.layers, &needs::Layer::blurs);
 }
 
 } // namespace
@@ -53,15 +53,15 @@ std::vector<Input> Backdrop::inputs() const {
 }
 
 // Depth is that of opaque surfaces (rays pass flat glass, and what they meet behind it shows its colour) until a layer has glass
-// before it that makes images. `layer` past the last: the picture that is finished.
+// before it that makes images.
 Backdrop declare_backdrop(Graph& graph, const needs::Needs& needs, std::size_t layer) {
-  const bool of_layer = layer < needs.layers.size(), blurs = frame_blurs(needs);
+  const bool blurs = frame_blurs(needs);
   Backdrop backdrop{
       .pyramid = {graph.target(
           {.name = "screen pyramid",
            .format = color_format,
            .levels = blurs ? pyramid_levels(needs.view.width, needs.view.height) : 1})},
-      .blurs = !of_layer || needs.layers[layer].blurs};
+      .blurs = needs.layers[layer].blurs};
   const auto depth_target = [&](const char* name) {
     return Part{graph.target({.name = name, .format = gpu::Format::r32f})};
   };
@@ -71,11 +71,10 @@ Backdrop declare_backdrop(Graph& graph, const needs::Needs& needs, std::size_t l
   bool takes_depth = false;
   if (blurs) {
     backdrop.depth = backdrop.hiding_depth = depth_target("backdrop depth");
-    takes_depth =
-        !graph.is_written(backdrop.depth->target) || !of_layer || sees_images(needs, layer);
+    takes_depth = !graph.is_written(backdrop.depth->target) || sees_images(needs, layer);
   }
   // Taken again, the one holds the other.
-  if (!takes_depth && of_layer && needs.layers[layer].interleaves)
+  if (!takes_depth && needs.layers[layer].interleaves)
     backdrop.hiding_depth = depth_target("glass depth");
   const bool copies_depth = takes_depth || backdrop.hiding_depth != backdrop.depth;
   if (copies_depth) {

@@ -24,7 +24,6 @@ Backdrop declare_backdrop(Graph& graph, const needs::Needs& needs, std::size_t l
 void declare_foreground(Graph& graph, const needs::Needs& needs, std::size_t layer,
                         const Backdrop& backdrop);
 void declare_pyramid(Graph& graph, const Backdrop& backdrop);
-void declare_reflective(Graph& graph, const needs::Needs& needs, bool glass);
 // All faces that the layer's solids want; nothing if there are none.
 std::optional<Input> declare_interior(Graph& graph, const needs::Needs& needs, std::size_t layer);
 // One of `pairs` pairs: part 0 is the nearest front face, 1 the nearest back face, 2 and 3 the next of each. The solids must not
