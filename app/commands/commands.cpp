@@ -10,6 +10,7 @@ void add_all(Command program) {
   add_eval(program);
   add_figures(program);
   add_list(program);
+  add_kit(program);
   add_needs(program);
   add_report(program);
   add_snippet(program);

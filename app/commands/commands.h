@@ -26,6 +26,7 @@ void add_devices(Command program);
 void add_eval(Command program);
 void add_figures(Command program);
 void add_list(Command program);
+void add_kit(Command program);
 void add_needs(Command program);
 void add_report(Command program);
 void add_snippet(Command program);

@@ -1,4 +1,4 @@
-// Made by shaders/wgsl/make of 5bf9ef90c2797dde37add47d91a707ac03207025832c542847e457ab7e9257ef: do not edit.
+// Made by shaders/wgsl/make of b2c95d4c1798148f328dd62017f0398e012797ec62cf32b612cd26830c5abb10: do not edit.
 struct Tilt {
     p: f32,
     z: f32,
@@ -158,6 +158,63 @@ struct ComposedPair {
     rest: ComposedTap,
 }
 
+struct ConvexBody {
+    ior: f32,
+    backAlpha: f32,
+    thickness: f32,
+    curvature: f32,
+    attenuation: vec3<f32>,
+}
+
+struct ConvexExit {
+    surface: ExitSurface,
+    path: f32,
+}
+
+struct InterfaceEnergy {
+    transmitted: f32,
+    reflected: f32,
+}
+
+struct InterfaceTap {
+    angle: f32,
+    sigma: f32,
+    weight: f32,
+}
+
+struct SceneView {
+    clipFromWorld: mat4x4<f32>,
+    eye: vec3<f32>,
+    size: vec2<f32>,
+    focal: f32,
+    reach: f32,
+}
+
+struct SceneMeeting {
+    metres: f32,
+    seen: bool,
+}
+
+struct GlassFace {
+    position: vec3<f32>,
+    n: vec3<f32>,
+    wo: vec3<f32>,
+    alpha: f32,
+    turn: f32,
+}
+
+struct Wandering {
+    passes: f32,
+    back: f32,
+}
+
+struct WanderingLoss {
+    linear: f32,
+    constant: f32,
+    thin: f32,
+    passes: f32,
+}
+
 struct InteriorView {
     clipFromWorld: mat4x4<f32>,
     worldFromClip: mat4x4<f32>,
@@ -178,33 +235,10 @@ struct ExitWay {
     outside: f32,
 }
 
-struct InterfaceEnergy {
-    transmitted: f32,
-    reflected: f32,
-}
-
-struct InterfaceTap {
-    angle: f32,
-    sigma: f32,
-    weight: f32,
-}
-
 struct ThinWallEnergy {
     transmitted: f32,
     reflectedFirst: f32,
     reflectedLater: f32,
-}
-
-struct Wandering {
-    passes: f32,
-    back: f32,
-}
-
-struct WanderingLoss {
-    linear: f32,
-    constant: f32,
-    thin: f32,
-    passes: f32,
 }
 
 
@@ -225,15 +259,18 @@ const INDEX_MATCHED: f32 = 0.0001f;
 const COMPOSED_WIDEST: f32 = 0.3f;
 const FACET_LEAST_COS: f32 = 0.2f;
 const GIVEN_BACK: f32 = 0.7f;
-const EXIT_NOWHERE: f32 = -2f;
-const EXIT_FAR: f32 = 1000000000000000000000000000000f;
-const EXIT_STEPS: i32 = 12i;
 const INTERFACE_ENERGY_COSINES: i32 = 65i;
 const INTERFACE_ENERGY_ALPHAS: i32 = 32i;
 const INTERFACE_LOBE_COSINES: i32 = 25i;
 const INTERFACE_LOBE_ALPHAS: i32 = 16i;
 const INTERFACE_SLICES: i32 = 13i;
 const INTERFACE_GREATEST_ETA: f32 = 4f;
+const SCENE_GUESSES: i32 = 4i;
+const SCENE_STEPS: i32 = 12i;
+const SCENE_SECANTS: i32 = 5i;
+const EXIT_NOWHERE: f32 = -2f;
+const EXIT_FAR: f32 = 1000000000000000000000000000000f;
+const EXIT_STEPS: i32 = 12i;
 const THIN_WALL_COSINES: i32 = 25i;
 const THIN_WALL_ALPHAS: i32 = 16i;
 const THIN_WALL_SLICES: i32 = 13i;
@@ -5140,714 +5177,258 @@ fn mergePairs(core_4: ComposedPair, tail_3: ComposedPair) -> ComposedPair {
     return _e35;
 }
 
-fn signNotZero(x_19: f32) -> f32 {
-    var x_20: f32;
-    var local_68: f32;
-
-    x_20 = x_19;
-    let _e20 = x_20;
-    if (_e20 < 0f) {
-        local_68 = -1f;
-    } else {
-        local_68 = 1f;
-    }
-    let _e27 = local_68;
-    return _e27;
-}
-
-fn octEncode(n_30: vec3<f32>) -> vec2<f32> {
+fn convexExit(n_30: vec3<f32>, direction_4: vec3<f32>, body: ConvexBody) -> ConvexExit {
     var n_31: vec3<f32>;
-    var s_10: f32;
-    var p_4: vec2<f32>;
+    var direction_5: vec3<f32>;
+    var body_1: ConvexBody;
+    var q: f32;
+    var c_24: f32;
+    var a_27: f32;
+    var root_1: f32;
+    var local_68: f32;
+    var scaled: f32;
+    var e_6: ConvexExit;
+    var local_69: f32;
+    var curvature_2: f32;
 
     n_31 = n_30;
-    let _e21 = n_31;
-    let _e24 = n_31;
-    let _e28 = n_31;
-    s_10 = (1f / ((abs(_e21.x) + abs(_e24.y)) + abs(_e28.z)));
-    let _e34 = n_31;
-    let _e36 = s_10;
-    let _e38 = n_31;
-    let _e40 = s_10;
-    p_4 = vec2<f32>((_e34.x * _e36), (_e38.y * _e40));
-    let _e44 = n_31;
-    if (_e44.z >= 0f) {
-        let _e48 = p_4;
-        return _e48;
-    }
-    let _e50 = p_4;
-    let _e54 = p_4;
-    let _e56 = signNotZero(_e54.x);
-    let _e59 = p_4;
-    let _e63 = p_4;
-    let _e65 = signNotZero(_e63.y);
-    return vec2<f32>(((1f - abs(_e50.y)) * _e56), ((1f - abs(_e59.x)) * _e65));
-}
-
-fn octDecode(p_5: vec2<f32>) -> vec3<f32> {
-    var p_6: vec2<f32>;
-    var z_8: f32;
-    var fold: f32;
-
-    p_6 = p_5;
-    let _e21 = p_6;
-    let _e25 = p_6;
-    z_8 = ((1f - abs(_e21.x)) - abs(_e25.y));
-    let _e30 = z_8;
-    fold = max(-(_e30), 0f);
-    let _e35 = p_6;
-    let _e37 = fold;
-    let _e38 = p_6;
-    let _e40 = signNotZero(_e38.x);
-    let _e43 = p_6;
-    let _e45 = fold;
-    let _e46 = p_6;
-    let _e48 = signNotZero(_e46.y);
-    let _e51 = z_8;
-    return normalize(vec3<f32>((_e35.x - (_e37 * _e40)), (_e43.y - (_e45 * _e48)), _e51));
-}
-
-fn interiorView(clipFromWorld: mat4x4<f32>, worldFromClip: mat4x4<f32>, size_18: vec2<f32>) -> InteriorView {
-    var clipFromWorld_1: mat4x4<f32>;
-    var worldFromClip_1: mat4x4<f32>;
-    var size_19: vec2<f32>;
-    var view_4: InteriorView;
-    var right: vec3<f32>;
-    var depth: vec3<f32>;
-    var w_22: vec3<f32>;
-    var perspective: bool;
-    var local_69: vec3<f32>;
-    var v_25: vec3<f32>;
-
-    clipFromWorld_1 = clipFromWorld;
-    worldFromClip_1 = worldFromClip;
-    size_19 = size_18;
-    let _e26 = clipFromWorld_1;
-    view_4.clipFromWorld = _e26;
-    let _e28 = worldFromClip_1;
-    view_4.worldFromClip = _e28;
-    let _e30 = size_19;
-    view_4.size = _e30;
-    let _e35 = clipFromWorld_1[0][0];
-    let _e40 = clipFromWorld_1[1][0];
-    let _e45 = clipFromWorld_1[2][0];
-    right = vec3<f32>(_e35, _e40, _e45);
-    let _e52 = clipFromWorld_1[0][2];
-    let _e57 = clipFromWorld_1[1][2];
-    let _e62 = clipFromWorld_1[2][2];
-    depth = vec3<f32>(_e52, _e57, _e62);
-    let _e69 = clipFromWorld_1[0][3];
-    let _e74 = clipFromWorld_1[1][3];
-    let _e79 = clipFromWorld_1[2][3];
-    w_22 = vec3<f32>(_e69, _e74, _e79);
-    let _e84 = size_19;
-    let _e86 = right;
-    view_4.texelWidth = (2f / (_e84.x * length(_e86)));
-    let _e90 = w_22;
-    let _e91 = w_22;
-    perspective = (dot(_e90, _e91) > 0f);
-    let _e96 = perspective;
-    if _e96 {
-        let _e97 = w_22;
-        local_69 = normalize(_e97);
-    } else {
-        let _e99 = depth;
-        local_69 = -(normalize(_e99));
-    }
-    let _e103 = local_69;
-    v_25 = _e103;
-    let _e106 = view_4;
-    let _e108 = depth;
-    let _e109 = v_25;
-    let _e112 = w_22;
-    let _e113 = v_25;
-    view_4.texelDepth = (_e106.texelWidth * vec2<f32>(-(dot(_e108, _e109)), dot(_e112, _e113)));
-    let _e117 = view_4;
-    return _e117;
-}
-
-fn interiorTexelDepth(view_5: InteriorView, depth_1: f32) -> f32 {
-    var view_6: InteriorView;
-    var depth_2: f32;
-
-    view_6 = view_5;
-    depth_2 = depth_1;
-    let _e22 = view_6;
-    let _e25 = view_6;
-    let _e28 = depth_2;
-    return (_e22.texelDepth.x + (_e25.texelDepth.y * _e28));
-}
-
-fn interiorTexelWidth(view_7: InteriorView, w_23: f32) -> f32 {
-    var view_8: InteriorView;
-    var w_24: f32;
-
-    view_8 = view_7;
-    w_24 = w_23;
-    let _e22 = view_8;
-    let _e24 = w_24;
-    return (_e22.texelWidth * _e24);
-}
-
-fn interiorWorld(view_9: InteriorView, at: vec2<f32>, depth_3: f32) -> vec3<f32> {
-    var view_10: InteriorView;
-    var at_1: vec2<f32>;
-    var depth_4: f32;
-    var clip: vec2<f32>;
-    var p_7: vec4<f32>;
-
-    view_10 = view_9;
-    at_1 = at;
-    depth_4 = depth_3;
-    let _e25 = at_1;
-    let _e28 = view_10;
-    let _e36 = at_1;
-    let _e39 = view_10;
-    clip = vec2<f32>((((2f * _e25.x) / _e28.size.x) - 1f), (1f - ((2f * _e36.y) / _e39.size.y)));
-    let _e46 = view_10;
-    let _e48 = clip;
-    let _e50 = clip;
-    let _e52 = depth_4;
-    p_7 = (_e46.worldFromClip * vec4<f32>(_e48.x, _e50.y, _e52, 1f));
-    let _e57 = p_7;
-    let _e59 = p_7;
-    let _e61 = p_7;
-    let _e64 = p_7;
-    return (vec3<f32>(_e57.x, _e59.y, _e61.z) / vec3(_e64.w));
-}
-
-fn exitRay(view_11: InteriorView, origin: vec3<f32>, direction_4: vec3<f32>) -> ExitRay {
-    var view_12: InteriorView;
-    var origin_1: vec3<f32>;
-    var direction_5: vec3<f32>;
-    var o_2: vec4<f32>;
-    var d_17: vec4<f32>;
-    var h_15: vec2<f32>;
-    var ray: ExitRay;
-
-    view_12 = view_11;
-    origin_1 = origin;
     direction_5 = direction_4;
-    let _e27 = view_12;
-    let _e29 = origin_1;
-    o_2 = (_e27.clipFromWorld * vec4<f32>(_e29.x, _e29.y, _e29.z, 1f));
-    let _e37 = view_12;
-    let _e39 = direction_5;
-    d_17 = (_e37.clipFromWorld * vec4<f32>(_e39.x, _e39.y, _e39.z, 0f));
-    let _e48 = view_12;
-    h_15 = (0.5f * _e48.size);
-    let _e54 = h_15;
-    let _e56 = o_2;
-    let _e58 = o_2;
-    let _e62 = h_15;
-    let _e64 = o_2;
-    let _e66 = o_2;
-    let _e70 = o_2;
-    let _e72 = o_2;
-    ray.origin = vec4<f32>((_e54.x * (_e56.w + _e58.x)), (_e62.y * (_e64.w - _e66.y)), _e70.z, _e72.w);
-    let _e76 = h_15;
-    let _e78 = d_17;
-    let _e80 = d_17;
-    let _e84 = h_15;
-    let _e86 = d_17;
-    let _e88 = d_17;
-    let _e92 = d_17;
-    let _e94 = d_17;
-    ray.direction = vec4<f32>((_e76.x * (_e78.w + _e80.x)), (_e84.y * (_e86.w - _e88.y)), _e92.z, _e94.w);
-    let _e97 = ray;
-    return _e97;
-}
-
-fn exitAt(ray_1: ExitRay, t_24: f32) -> vec4<f32> {
-    var ray_2: ExitRay;
-    var t_25: f32;
-    var p_8: vec4<f32>;
-    var s_11: f32;
-
-    ray_2 = ray_1;
-    t_25 = t_24;
-    let _e25 = ray_2;
-    let _e27 = t_25;
-    let _e28 = ray_2;
-    p_8 = (_e25.origin + (_e27 * _e28.direction));
-    let _e34 = p_8;
-    s_11 = (1f / _e34.w);
-    let _e38 = p_8;
-    let _e40 = s_11;
-    let _e42 = p_8;
-    let _e44 = s_11;
-    let _e46 = p_8;
-    let _e48 = s_11;
-    let _e50 = p_8;
-    return vec4<f32>((_e38.x * _e40), (_e42.y * _e44), (_e46.z * _e48), _e50.w);
-}
-
-fn exitOnPicture(view_13: InteriorView, at_2: vec4<f32>) -> bool {
-    var view_14: InteriorView;
-    var at_3: vec4<f32>;
-
-    view_14 = view_13;
-    at_3 = at_2;
-    let _e25 = at_3;
-    let _e29 = at_3;
-    let _e34 = at_3;
-    let _e39 = at_3;
-    let _e41 = view_14;
-    let _e46 = at_3;
-    let _e48 = view_14;
-    return (((((_e25.w > 0f) && (_e29.x >= 0f)) && (_e34.y >= 0f)) && (_e39.x < _e41.size.x)) && (_e46.y < _e48.size.y));
-}
-
-fn exitStretches(depths: vec4<f32>) -> vec4<f32> {
-    var depths_1: vec4<f32>;
-
-    depths_1 = depths;
-    let _e23 = depths_1;
-    let _e25 = depths_1;
-    if (_e23.x < _e25.y) {
-        let _e29 = depths_1;
-        let _e31 = depths_1;
-        let _e33 = depths_1;
-        return vec4<f32>(2f, _e29.y, _e31.x, _e33.w);
-    }
-    let _e36 = depths_1;
-    let _e38 = depths_1;
-    let _e41 = depths_1;
-    if ((_e36.z > _e38.y) && (_e41.w > 0f)) {
-        let _e46 = depths_1;
-        let _e48 = depths_1;
-        return vec4<f32>(_e46.x, _e48.w, 0f, 0f);
-    }
-    let _e53 = depths_1;
-    return _e53;
-}
-
-fn exitInside(stretches: vec4<f32>, depth_5: f32) -> vec2<f32> {
-    var stretches_1: vec4<f32>;
-    var depth_6: f32;
-    var inside_1: vec2<f32> = vec2(-2f);
-
-    stretches_1 = stretches;
-    depth_6 = depth_5;
-    let _e28 = stretches_1;
-    if (_e28.y > 0f) {
-        let _e33 = stretches_1;
-        let _e35 = depth_6;
-        let _e37 = depth_6;
-        let _e38 = stretches_1;
-        inside_1.x = min((_e33.x - _e35), (_e37 - _e38.y));
-    }
-    let _e42 = stretches_1;
-    if (_e42.w > 0f) {
-        let _e47 = stretches_1;
-        let _e49 = depth_6;
-        let _e51 = depth_6;
-        let _e52 = stretches_1;
-        inside_1.y = min((_e47.z - _e49), (_e51 - _e52.w));
-    }
-    let _e56 = inside_1;
-    return _e56;
-}
-
-fn exitLearn(way: ExitWay, t_26: f32, w_25: f32, here: f32, margin: f32) -> ExitWay {
-    var way_1: ExitWay;
-    var t_27: f32;
-    var w_26: f32;
-    var here_1: f32;
-    var margin_1: f32;
-    var local_70: f32;
-
-    way_1 = way;
-    t_27 = t_26;
-    w_26 = w_25;
-    here_1 = here;
-    margin_1 = margin;
-    let _e31 = here_1;
-    let _e32 = margin_1;
-    if (_e31 > _e32) {
-        {
-            let _e35 = t_27;
-            way_1.tInside = _e35;
-            let _e37 = here_1;
-            let _e38 = w_26;
-            way_1.inside = (_e37 * _e38);
-        }
+    body_1 = body;
+    let _e24 = body_1;
+    let _e26 = body_1;
+    q = clamp((_e24.thickness * _e26.curvature), 0f, 2f);
+    let _e33 = n_31;
+    let _e34 = direction_5;
+    c_24 = max(-(dot(_e33, _e34)), 0.05f);
+    let _e41 = q;
+    let _e43 = c_24;
+    a_27 = ((1f - _e41) * _e43);
+    let _e46 = a_27;
+    let _e47 = a_27;
+    let _e49 = q;
+    let _e51 = q;
+    root_1 = sqrt(((_e46 * _e47) + (_e49 * (2f - _e51))));
+    let _e57 = q;
+    if (_e57 < 1f) {
+        let _e61 = q;
+        let _e63 = a_27;
+        let _e64 = root_1;
+        local_68 = ((2f - _e61) / (_e63 + _e64));
     } else {
-        let _e40 = here_1;
-        let _e41 = margin_1;
-        if (_e40 < -(_e41)) {
-            {
-                let _e45 = t_27;
-                way_1.tOutside = _e45;
-                let _e47 = here_1;
-                if (_e47 > EXIT_NOWHERE) {
-                    let _e49 = here_1;
-                    let _e50 = w_26;
-                    local_70 = (_e49 * _e50);
-                } else {
-                    local_70 = EXIT_NOWHERE;
-                }
-                let _e53 = local_70;
-                way_1.outside = _e53;
-            }
-        }
+        let _e67 = root_1;
+        let _e68 = a_27;
+        let _e70 = q;
+        local_68 = ((_e67 - _e68) / _e70);
     }
-    let _e54 = way_1;
-    return _e54;
-}
-
-fn exitSecant(way_2: ExitWay) -> f32 {
-    var way_3: ExitWay;
-    var local_71: f32;
-    var share_2: f32;
-
-    way_3 = way_2;
-    let _e23 = way_3;
-    if (_e23.outside > EXIT_NOWHERE) {
-        let _e26 = way_3;
-        let _e28 = way_3;
-        let _e30 = way_3;
-        local_71 = clamp((_e26.inside / (_e28.inside - _e30.outside)), 0.05f, 0.95f);
+    let _e73 = local_68;
+    scaled = _e73;
+    let _e77 = scaled;
+    let _e78 = body_1;
+    e_6.path = (_e77 * _e78.thickness);
+    let _e83 = q;
+    let _e86 = n_31;
+    let _e88 = q;
+    let _e89 = scaled;
+    let _e91 = direction_5;
+    e_6.surface.n = normalize((((_e83 - 1f) * _e86) + ((_e88 * _e89) * _e91)));
+    let _e97 = body_1;
+    e_6.surface.alpha = _e97.backAlpha;
+    let _e102 = body_1;
+    e_6.surface.eta = (1f / _e102.ior);
+    let _e105 = body_1;
+    if (_e105.thickness > 0f) {
+        let _e109 = q;
+        let _e110 = body_1;
+        local_69 = (_e109 / _e110.thickness);
     } else {
-        local_71 = 0.5f;
+        local_69 = 0f;
     }
-    let _e39 = local_71;
-    share_2 = _e39;
-    let _e41 = way_3;
-    let _e43 = way_3;
-    let _e45 = share_2;
-    return mix(_e41.tInside, _e43.tOutside, _e45);
-}
-
-fn exitSpacing(k_16: i32) -> f32 {
-    var k_17: i32;
-    var x_21: f32;
-    var x3_: f32;
-
-    k_17 = k_16;
-    let _e24 = k_17;
-    x_21 = (0.25f * f32(_e24));
-    let _e28 = x_21;
-    let _e29 = x_21;
-    let _e31 = x_21;
-    x3_ = ((_e28 * _e29) * _e31);
-    let _e34 = x_21;
-    let _e35 = x3_;
-    let _e39 = x3_;
-    let _e40 = x3_;
-    return ((_e34 + (_e35 / 3f)) + ((_e39 * _e40) / 20f));
-}
-
-fn exitPlane(origin_2: vec3<f32>, direction_6: vec3<f32>, point: vec3<f32>, n_32: vec3<f32>) -> f32 {
-    var origin_3: vec3<f32>;
-    var direction_7: vec3<f32>;
-    var point_1: vec3<f32>;
-    var n_33: vec3<f32>;
-
-    origin_3 = origin_2;
-    direction_7 = direction_6;
-    point_1 = point;
-    n_33 = n_32;
-    let _e29 = point_1;
-    let _e30 = origin_3;
-    let _e32 = n_33;
-    let _e34 = direction_7;
-    let _e35 = n_33;
-    return (dot((_e29 - _e30), _e32) / dot(_e34, _e35));
-}
-
-fn exitSame(point_2: vec3<f32>, n_34: vec3<f32>, otherPoint: vec3<f32>, otherN: vec3<f32>) -> bool {
-    var point_3: vec3<f32>;
-    var n_35: vec3<f32>;
-    var otherPoint_1: vec3<f32>;
-    var otherN_1: vec3<f32>;
-    var chord: vec3<f32>;
-
-    point_3 = point_2;
-    n_35 = n_34;
-    otherPoint_1 = otherPoint;
-    otherN_1 = otherN;
-    let _e29 = otherPoint_1;
-    let _e30 = point_3;
-    chord = (_e29 - _e30);
-    let _e33 = n_35;
-    let _e34 = otherN_1;
-    let _e38 = chord;
-    let _e39 = n_35;
-    let _e43 = chord;
-    return ((dot(_e33, _e34) > 0.7f) && (abs(dot(_e38, _e39)) <= (0.39f * length(_e43))));
-}
-
-fn exitCurvature(n_36: vec3<f32>, direction_8: vec3<f32>, stepX: vec3<f32>, turnX: vec3<f32>, stepY: vec3<f32>, turnY: vec3<f32>) -> vec2<f32> {
-    var n_37: vec3<f32>;
-    var direction_9: vec3<f32>;
-    var stepX_1: vec3<f32>;
-    var turnX_1: vec3<f32>;
-    var stepY_1: vec3<f32>;
-    var turnY_1: vec3<f32>;
-    var area_1: f32;
-    var turn_2: f32;
-    var along_6: vec3<f32>;
-    var t1_2: vec3<f32>;
-    var t2_: vec3<f32>;
-    var turn1_: vec3<f32>;
-    var turn2_: vec3<f32>;
-    var twist: f32;
-    var curvature_2: vec2<f32>;
-    var local_72: vec2<f32>;
-
-    n_37 = n_36;
-    direction_9 = direction_8;
-    stepX_1 = stepX;
-    turnX_1 = turnX;
-    stepY_1 = stepY;
-    turnY_1 = turnY;
-    let _e33 = stepX_1;
-    let _e34 = stepY_1;
-    let _e36 = n_37;
-    area_1 = dot(cross(_e33, _e34), _e36);
-    let _e39 = turnX_1;
-    let _e40 = turnX_1;
-    let _e42 = turnY_1;
-    let _e43 = turnY_1;
-    turn_2 = max(dot(_e39, _e40), dot(_e42, _e43));
-    let _e47 = area_1;
-    let _e50 = turn_2;
-    if ((_e47 == 0f) || (_e50 > 0.0625f)) {
-        return vec2(0f);
-    }
-    let _e56 = direction_9;
-    let _e57 = direction_9;
-    let _e58 = n_37;
-    let _e60 = n_37;
-    along_6 = (_e56 - (dot(_e57, _e58) * _e60));
-    let _e64 = along_6;
-    let _e65 = along_6;
-    if (dot(_e64, _e65) < 0.000000000001f) {
-        let _e69 = stepX_1;
-        let _e70 = stepX_1;
-        let _e71 = n_37;
-        let _e73 = n_37;
-        along_6 = (_e69 - (dot(_e70, _e71) * _e73));
-    }
-    let _e76 = along_6;
-    t1_2 = normalize(_e76);
-    let _e79 = n_37;
-    let _e80 = t1_2;
-    t2_ = cross(_e79, _e80);
-    let _e83 = stepY_1;
-    let _e84 = t2_;
-    let _e86 = turnX_1;
-    let _e88 = stepX_1;
-    let _e89 = t2_;
-    let _e91 = turnY_1;
-    let _e94 = area_1;
-    turn1_ = (((dot(_e83, _e84) * _e86) - (dot(_e88, _e89) * _e91)) / vec3(_e94));
-    let _e98 = stepX_1;
-    let _e99 = t1_2;
-    let _e101 = turnY_1;
-    let _e103 = stepY_1;
-    let _e104 = t1_2;
-    let _e106 = turnX_1;
-    let _e109 = area_1;
-    turn2_ = (((dot(_e98, _e99) * _e101) - (dot(_e103, _e104) * _e106)) / vec3(_e109));
-    let _e113 = turn1_;
-    let _e114 = t2_;
-    let _e116 = turn2_;
-    let _e117 = t1_2;
-    twist = abs((dot(_e113, _e114) - dot(_e116, _e117)));
-    let _e122 = turn1_;
-    let _e123 = t1_2;
-    let _e125 = turn2_;
-    let _e126 = t2_;
-    curvature_2 = vec2<f32>(dot(_e122, _e123), dot(_e125, _e126));
-    let _e130 = twist;
-    let _e131 = curvature_2;
-    let _e134 = curvature_2;
-    if (_e130 > (abs(_e131.x) + abs(_e134.y))) {
-        local_72 = vec2(0f);
-    } else {
-        let _e141 = curvature_2;
-        local_72 = _e141;
-    }
-    let _e143 = local_72;
-    return _e143;
+    let _e115 = local_69;
+    curvature_2 = _e115;
+    let _e119 = direction_5;
+    let _e120 = e_6;
+    let _e124 = e_6;
+    let _e126 = curvature_2;
+    let _e128 = exitTurn(dot(_e119, _e120.surface.n), _e124.path, vec2(_e126));
+    e_6.surface.turn = _e128;
+    let _e129 = e_6;
+    return _e129;
 }
 
 fn interfaceCosineAxis(cosTheta_30: f32, eta_44: f32) -> f32 {
     var cosTheta_31: f32;
     var eta_45: f32;
-    var c_24: f32;
+    var c_25: f32;
     var critical: f32;
     var past: bool;
-    var local_73: f32;
-    var along_7: f32;
+    var local_70: f32;
+    var along_6: f32;
     var grazing: bool;
+    var local_71: f32;
+    var local_72: f32;
+    var x_19: f32;
+    var local_73: f32;
     var local_74: f32;
-    var local_75: f32;
-    var x_22: f32;
-    var local_76: f32;
-    var local_77: f32;
 
     cosTheta_31 = cosTheta_30;
     eta_45 = eta_44;
-    let _e31 = cosTheta_31;
-    c_24 = clamp(_e31, 0f, 1f);
-    let _e36 = eta_45;
-    if (_e36 >= 1f) {
-        let _e39 = c_24;
-        return sqrt(_e39);
+    let _e28 = cosTheta_31;
+    c_25 = clamp(_e28, 0f, 1f);
+    let _e33 = eta_45;
+    if (_e33 >= 1f) {
+        let _e36 = c_25;
+        return sqrt(_e36);
     }
+    let _e39 = eta_45;
     let _e42 = eta_45;
-    let _e45 = eta_45;
-    critical = sqrt(((1f - _e42) * (1f + _e45)));
-    let _e50 = c_24;
-    let _e51 = critical;
-    past = (_e50 < _e51);
-    let _e54 = past;
-    if _e54 {
-        let _e55 = c_24;
+    critical = sqrt(((1f - _e39) * (1f + _e42)));
+    let _e47 = c_25;
+    let _e48 = critical;
+    past = (_e47 < _e48);
+    let _e51 = past;
+    if _e51 {
+        let _e52 = c_25;
+        let _e53 = critical;
+        local_70 = (_e52 / _e53);
+    } else {
+        let _e55 = c_25;
         let _e56 = critical;
-        local_73 = (_e55 / _e56);
-    } else {
-        let _e58 = c_24;
         let _e59 = critical;
-        let _e62 = critical;
-        local_73 = ((_e58 - _e59) / (1f - _e62));
+        local_70 = ((_e55 - _e56) / (1f - _e59));
     }
-    let _e66 = local_73;
-    along_7 = _e66;
-    let _e68 = past;
-    let _e69 = along_7;
-    grazing = (_e68 && (_e69 < 0.5f));
-    let _e74 = past;
-    if _e74 {
-        let _e76 = grazing;
-        if _e76 {
-            let _e77 = along_7;
-            local_74 = _e77;
+    let _e63 = local_70;
+    along_6 = _e63;
+    let _e65 = past;
+    let _e66 = along_6;
+    grazing = (_e65 && (_e66 < 0.5f));
+    let _e71 = past;
+    if _e71 {
+        let _e73 = grazing;
+        if _e73 {
+            let _e74 = along_6;
+            local_71 = _e74;
         } else {
-            let _e79 = along_7;
-            local_74 = (1f - _e79);
+            let _e76 = along_6;
+            local_71 = (1f - _e76);
         }
-        let _e82 = local_74;
-        local_75 = (0.125f * _e82);
+        let _e79 = local_71;
+        local_72 = (0.125f * _e79);
     } else {
-        let _e85 = along_7;
-        local_75 = (0.25f * _e85);
+        let _e82 = along_6;
+        local_72 = (0.25f * _e82);
     }
-    let _e88 = local_75;
-    x_22 = sqrt(_e88);
-    let _e91 = grazing;
-    if _e91 {
-        let _e92 = x_22;
-        local_77 = _e92;
+    let _e85 = local_72;
+    x_19 = sqrt(_e85);
+    let _e88 = grazing;
+    if _e88 {
+        let _e89 = x_19;
+        local_74 = _e89;
     } else {
-        let _e93 = past;
-        if _e93 {
-            let _e95 = x_22;
-            local_76 = (0.5f - _e95);
+        let _e90 = past;
+        if _e90 {
+            let _e92 = x_19;
+            local_73 = (0.5f - _e92);
         } else {
-            let _e98 = x_22;
-            local_76 = (0.5f + _e98);
+            let _e95 = x_19;
+            local_73 = (0.5f + _e95);
         }
-        let _e101 = local_76;
-        local_77 = _e101;
+        let _e98 = local_73;
+        local_74 = _e98;
     }
-    let _e103 = local_77;
-    return _e103;
+    let _e100 = local_74;
+    return _e100;
 }
 
-fn interfaceCosineAt(x_23: f32, eta_46: f32) -> f32 {
-    var x_24: f32;
+fn interfaceCosineAt(x_20: f32, eta_46: f32) -> f32 {
+    var x_21: f32;
     var eta_47: f32;
     var critical_1: f32;
     var away: f32;
-    var local_78: f32;
+    var local_75: f32;
 
-    x_24 = x_23;
+    x_21 = x_20;
     eta_47 = eta_46;
-    let _e31 = eta_47;
-    if (_e31 >= 1f) {
-        let _e34 = x_24;
-        let _e35 = x_24;
-        return (_e34 * _e35);
+    let _e28 = eta_47;
+    if (_e28 >= 1f) {
+        let _e31 = x_21;
+        let _e32 = x_21;
+        return (_e31 * _e32);
     }
+    let _e35 = eta_47;
     let _e38 = eta_47;
-    let _e41 = eta_47;
-    critical_1 = sqrt(((1f - _e38) * (1f + _e41)));
-    let _e46 = x_24;
-    away = (_e46 - 0.5f);
-    let _e50 = away;
-    if (_e50 >= 0f) {
-        let _e53 = critical_1;
-        let _e55 = away;
-        let _e57 = away;
-        let _e60 = critical_1;
-        return (_e53 + (((4f * _e55) * _e57) * (1f - _e60)));
+    critical_1 = sqrt(((1f - _e35) * (1f + _e38)));
+    let _e43 = x_21;
+    away = (_e43 - 0.5f);
+    let _e47 = away;
+    if (_e47 >= 0f) {
+        let _e50 = critical_1;
+        let _e52 = away;
+        let _e54 = away;
+        let _e57 = critical_1;
+        return (_e50 + (((4f * _e52) * _e54) * (1f - _e57)));
     }
-    let _e64 = critical_1;
-    let _e65 = x_24;
-    if (_e65 < 0.25f) {
-        let _e69 = x_24;
-        let _e71 = x_24;
-        local_78 = ((8f * _e69) * _e71);
+    let _e61 = critical_1;
+    let _e62 = x_21;
+    if (_e62 < 0.25f) {
+        let _e66 = x_21;
+        let _e68 = x_21;
+        local_75 = ((8f * _e66) * _e68);
     } else {
-        let _e75 = away;
-        let _e77 = away;
-        local_78 = (1f - ((8f * _e75) * _e77));
+        let _e72 = away;
+        let _e74 = away;
+        local_75 = (1f - ((8f * _e72) * _e74));
     }
-    let _e81 = local_78;
-    return (_e64 * _e81);
+    let _e78 = local_75;
+    return (_e61 * _e78);
 }
 
 fn interfaceEtaAxis(eta_48: f32) -> f32 {
     var eta_49: f32;
-    var local_79: f32;
-    var n_38: f32;
+    var local_76: f32;
+    var n_32: f32;
 
     eta_49 = eta_48;
-    let _e29 = eta_49;
-    if (_e29 < 1f) {
-        let _e33 = eta_49;
-        local_79 = (1f / max(_e33, 0.01f));
+    let _e26 = eta_49;
+    if (_e26 < 1f) {
+        let _e30 = eta_49;
+        local_76 = (1f / max(_e30, 0.01f));
     } else {
-        let _e37 = eta_49;
-        local_79 = _e37;
+        let _e34 = eta_49;
+        local_76 = _e34;
     }
-    let _e39 = local_79;
-    n_38 = clamp(_e39, 1f, INTERFACE_GREATEST_ETA);
-    let _e43 = n_38;
-    let _e46 = n_38;
-    return (((_e43 - 1f) / (_e46 + 1f)) * 1.6666666f);
+    let _e36 = local_76;
+    n_32 = clamp(_e36, 1f, INTERFACE_GREATEST_ETA);
+    let _e40 = n_32;
+    let _e43 = n_32;
+    return (((_e40 - 1f) / (_e43 + 1f)) * 1.6666666f);
 }
 
 fn interfaceEnergyCoordinate(cosTheta_32: f32, alpha_80: f32, eta_50: f32) -> vec3<f32> {
     var cosTheta_33: f32;
     var alpha_81: f32;
     var eta_51: f32;
-    var local_80: i32;
+    var local_77: i32;
 
     cosTheta_33 = cosTheta_32;
     alpha_81 = alpha_80;
     eta_51 = eta_50;
-    let _e33 = cosTheta_33;
-    let _e34 = eta_51;
-    let _e35 = interfaceCosineAxis(_e33, _e34);
-    let _e38 = blockCoordinate(_e35, INTERFACE_ENERGY_COSINES, 0i, 1i);
-    let _e39 = alpha_81;
-    let _e45 = blockCoordinate(sqrt(max(_e39, 0f)), INTERFACE_ENERGY_ALPHAS, 0i, 1i);
-    let _e46 = eta_51;
-    let _e47 = interfaceEtaAxis(_e46);
-    let _e48 = eta_51;
-    if (_e48 < 1f) {
-        local_80 = 1i;
+    let _e30 = cosTheta_33;
+    let _e31 = eta_51;
+    let _e32 = interfaceCosineAxis(_e30, _e31);
+    let _e35 = blockCoordinate(_e32, INTERFACE_ENERGY_COSINES, 0i, 1i);
+    let _e36 = alpha_81;
+    let _e42 = blockCoordinate(sqrt(max(_e36, 0f)), INTERFACE_ENERGY_ALPHAS, 0i, 1i);
+    let _e43 = eta_51;
+    let _e44 = interfaceEtaAxis(_e43);
+    let _e45 = eta_51;
+    if (_e45 < 1f) {
+        local_77 = 1i;
     } else {
-        local_80 = 0i;
+        local_77 = 0i;
     }
-    let _e54 = local_80;
-    let _e56 = blockCoordinate(_e47, INTERFACE_SLICES, _e54, 2i);
-    return vec3<f32>(_e38, _e45, _e56);
+    let _e51 = local_77;
+    let _e53 = blockCoordinate(_e44, INTERFACE_SLICES, _e51, 2i);
+    return vec3<f32>(_e35, _e42, _e53);
 }
 
 fn interfaceLobeCoordinate(tap_4: i32, taps_6: i32, cosTheta_34: f32, alpha_82: f32, eta_52: f32) -> vec3<f32> {
@@ -5856,49 +5437,49 @@ fn interfaceLobeCoordinate(tap_4: i32, taps_6: i32, cosTheta_34: f32, alpha_82: 
     var cosTheta_35: f32;
     var alpha_83: f32;
     var eta_53: f32;
-    var local_81: i32;
+    var local_78: i32;
 
     tap_5 = tap_4;
     taps_7 = taps_6;
     cosTheta_35 = cosTheta_34;
     alpha_83 = alpha_82;
     eta_53 = eta_52;
-    let _e37 = cosTheta_35;
-    let _e38 = eta_53;
-    let _e39 = interfaceCosineAxis(_e37, _e38);
-    let _e42 = blockCoordinate(_e39, INTERFACE_LOBE_COSINES, 0i, 1i);
-    let _e43 = alpha_83;
-    let _e47 = tap_5;
-    let _e48 = taps_7;
-    let _e49 = blockCoordinate(sqrt(max(_e43, 0f)), INTERFACE_LOBE_ALPHAS, _e47, _e48);
-    let _e50 = eta_53;
-    let _e51 = interfaceEtaAxis(_e50);
-    let _e52 = eta_53;
-    if (_e52 < 1f) {
-        local_81 = 1i;
+    let _e34 = cosTheta_35;
+    let _e35 = eta_53;
+    let _e36 = interfaceCosineAxis(_e34, _e35);
+    let _e39 = blockCoordinate(_e36, INTERFACE_LOBE_COSINES, 0i, 1i);
+    let _e40 = alpha_83;
+    let _e44 = tap_5;
+    let _e45 = taps_7;
+    let _e46 = blockCoordinate(sqrt(max(_e40, 0f)), INTERFACE_LOBE_ALPHAS, _e44, _e45);
+    let _e47 = eta_53;
+    let _e48 = interfaceEtaAxis(_e47);
+    let _e49 = eta_53;
+    if (_e49 < 1f) {
+        local_78 = 1i;
     } else {
-        local_81 = 0i;
+        local_78 = 0i;
     }
-    let _e58 = local_81;
-    let _e60 = blockCoordinate(_e51, INTERFACE_SLICES, _e58, 2i);
-    return vec3<f32>(_e42, _e49, _e60);
+    let _e55 = local_78;
+    let _e57 = blockCoordinate(_e48, INTERFACE_SLICES, _e55, 2i);
+    return vec3<f32>(_e39, _e46, _e57);
 }
 
 fn interfaceSnell(cosTheta_36: f32, eta_54: f32) -> f32 {
     var cosTheta_37: f32;
     var eta_55: f32;
-    var c_25: f32;
+    var c_26: f32;
 
     cosTheta_37 = cosTheta_36;
     eta_55 = eta_54;
-    let _e31 = cosTheta_37;
-    c_25 = clamp(_e31, 0f, 1f);
-    let _e37 = c_25;
-    let _e40 = c_25;
-    let _e44 = c_25;
-    let _e45 = eta_55;
-    let _e46 = fresnelG(_e44, _e45);
-    return atan2(sqrt(((1f - _e37) * (1f + _e40))), _e46);
+    let _e28 = cosTheta_37;
+    c_26 = clamp(_e28, 0f, 1f);
+    let _e34 = c_26;
+    let _e37 = c_26;
+    let _e41 = c_26;
+    let _e42 = eta_55;
+    let _e43 = fresnelG(_e41, _e42);
+    return atan2(sqrt(((1f - _e34) * (1f + _e37))), _e43);
 }
 
 fn interfaceWidth(cosTheta_38: f32, alpha_84: f32, eta_56: f32) -> f32 {
@@ -5915,49 +5496,49 @@ fn interfaceWidth(cosTheta_38: f32, alpha_84: f32, eta_56: f32) -> f32 {
     cosTheta_39 = cosTheta_38;
     alpha_85 = alpha_84;
     eta_57 = eta_56;
-    let _e33 = cosTheta_39;
-    let _e37 = eta_57;
-    let _e38 = fresnelG(clamp(_e33, 0f, 1f), _e37);
-    g_9 = _e38;
+    let _e30 = cosTheta_39;
+    let _e34 = eta_57;
+    let _e35 = fresnelG(clamp(_e30, 0f, 1f), _e34);
+    g_9 = _e35;
+    let _e38 = eta_57;
     let _e41 = eta_57;
-    let _e44 = eta_57;
-    critical_2 = sqrt(max(((1f - _e41) * (1f + _e44)), 0f));
+    critical_2 = sqrt(max(((1f - _e38) * (1f + _e41)), 0f));
+    let _e48 = eta_57;
     let _e51 = eta_57;
-    let _e54 = eta_57;
-    let _e59 = eta_57;
-    let _e60 = g_9;
-    let _e61 = cosTheta_39;
-    let _e62 = critical_2;
-    across_8 = (abs(((_e51 - 1f) * (_e54 + 1f))) / max((_e59 * (_e60 + max(_e61, _e62))), 0.000000000000000000000000000001f));
-    let _e70 = g_9;
-    let _e71 = eta_57;
-    cosT = (_e70 / _e71);
-    let _e74 = alpha_85;
-    let _e75 = critical_2;
-    let _e76 = cosTheta_39;
-    lean_2 = (_e74 + max((_e75 - _e76), 0f));
-    let _e82 = lean_2;
-    let _e83 = across_8;
-    let _e85 = cosT;
-    let _e86 = cosT;
-    let _e88 = lean_2;
-    width_3 = ((_e82 * _e83) * inverseSqrt(sqrt(((_e85 * _e86) + max(_e88, 0.000000000001f)))));
+    let _e56 = eta_57;
+    let _e57 = g_9;
+    let _e58 = cosTheta_39;
+    let _e59 = critical_2;
+    across_8 = (abs(((_e48 - 1f) * (_e51 + 1f))) / max((_e56 * (_e57 + max(_e58, _e59))), 0.000000000000000000000000000001f));
+    let _e67 = g_9;
+    let _e68 = eta_57;
+    cosT = (_e67 / _e68);
+    let _e71 = alpha_85;
+    let _e72 = critical_2;
+    let _e73 = cosTheta_39;
+    lean_2 = (_e71 + max((_e72 - _e73), 0f));
+    let _e79 = lean_2;
+    let _e80 = across_8;
+    let _e82 = cosT;
+    let _e83 = cosT;
+    let _e85 = lean_2;
+    width_3 = ((_e79 * _e80) * inverseSqrt(sqrt(((_e82 * _e83) + max(_e85, 0.000000000001f)))));
+    let _e93 = width_3;
     let _e96 = width_3;
-    let _e99 = width_3;
-    return (_e96 / (1f + (2f * _e99)));
+    return (_e93 / (1f + (2f * _e96)));
 }
 
 fn interfaceEnergy(texel_4: vec4<f32>) -> InterfaceEnergy {
     var texel_5: vec4<f32>;
-    var e_6: InterfaceEnergy;
+    var e_7: InterfaceEnergy;
 
     texel_5 = texel_4;
+    let _e28 = texel_5;
+    e_7.transmitted = _e28.x;
     let _e31 = texel_5;
-    e_6.transmitted = _e31.x;
-    let _e34 = texel_5;
-    e_6.reflected = _e34.y;
-    let _e36 = e_6;
-    return _e36;
+    e_7.reflected = _e31.y;
+    let _e33 = e_7;
+    return _e33;
 }
 
 fn interfaceTap(texel_6: vec4<f32>, cosTheta_40: f32, alpha_86: f32, eta_58: f32) -> InterfaceTap {
@@ -5972,59 +5553,528 @@ fn interfaceTap(texel_6: vec4<f32>, cosTheta_40: f32, alpha_86: f32, eta_58: f32
     cosTheta_41 = cosTheta_40;
     alpha_87 = alpha_86;
     eta_59 = eta_58;
-    let _e35 = cosTheta_41;
-    let _e36 = alpha_87;
-    let _e40 = eta_59;
-    let _e41 = interfaceWidth(_e35, clamp(_e36, 0f, 1f), _e40);
-    width_4 = _e41;
-    let _e45 = cosTheta_41;
-    let _e46 = eta_59;
-    let _e47 = interfaceSnell(_e45, _e46);
-    let _e48 = texel_7;
-    let _e50 = width_4;
-    tap_6.angle = (_e47 + (_e48.x * _e50));
-    let _e54 = texel_7;
-    let _e56 = width_4;
-    tap_6.sigma = (_e54.y * _e56);
-    let _e59 = texel_7;
-    tap_6.weight = _e59.z;
-    let _e61 = tap_6;
-    return _e61;
+    let _e32 = cosTheta_41;
+    let _e33 = alpha_87;
+    let _e37 = eta_59;
+    let _e38 = interfaceWidth(_e32, clamp(_e33, 0f, 1f), _e37);
+    width_4 = _e38;
+    let _e42 = cosTheta_41;
+    let _e43 = eta_59;
+    let _e44 = interfaceSnell(_e42, _e43);
+    let _e45 = texel_7;
+    let _e47 = width_4;
+    tap_6.angle = (_e44 + (_e45.x * _e47));
+    let _e51 = texel_7;
+    let _e53 = width_4;
+    tap_6.sigma = (_e51.y * _e53);
+    let _e56 = texel_7;
+    tap_6.weight = _e56.z;
+    let _e58 = tap_6;
+    return _e58;
 }
 
-fn interfaceTapDirection(wo_50: vec3<f32>, n_39: vec3<f32>, angle_2: f32) -> vec3<f32> {
+fn interfaceTapDirection(wo_50: vec3<f32>, n_33: vec3<f32>, angle_2: f32) -> vec3<f32> {
     var wo_51: vec3<f32>;
-    var n_40: vec3<f32>;
+    var n_34: vec3<f32>;
     var angle_3: f32;
     var across_9: vec3<f32>;
-    var local_82: vec3<f32>;
+    var local_79: vec3<f32>;
 
     wo_51 = wo_50;
-    n_40 = n_39;
+    n_34 = n_33;
     angle_3 = angle_2;
-    let _e33 = wo_51;
-    let _e34 = n_40;
-    let _e36 = n_40;
-    let _e38 = wo_51;
-    across_9 = ((dot(_e33, _e34) * _e36) - _e38);
-    let _e41 = across_9;
-    let _e42 = across_9;
-    if !((dot(_e41, _e42) > 0.000000000001f)) {
-        let _e47 = n_40;
-        let _e48 = n_40;
-        if (abs(_e48.x) < 0.7f) {
-            local_82 = vec3<f32>(1f, 0f, 0f);
+    let _e30 = wo_51;
+    let _e31 = n_34;
+    let _e33 = n_34;
+    let _e35 = wo_51;
+    across_9 = ((dot(_e30, _e31) * _e33) - _e35);
+    let _e38 = across_9;
+    let _e39 = across_9;
+    if !((dot(_e38, _e39) > 0.000000000001f)) {
+        let _e44 = n_34;
+        let _e45 = n_34;
+        if (abs(_e45.x) < 0.7f) {
+            local_79 = vec3<f32>(1f, 0f, 0f);
         } else {
-            local_82 = vec3<f32>(0f, 1f, 0f);
+            local_79 = vec3<f32>(0f, 1f, 0f);
         }
-        let _e62 = local_82;
-        across_9 = cross(_e47, _e62);
+        let _e59 = local_79;
+        across_9 = cross(_e44, _e59);
     }
-    let _e64 = angle_3;
-    let _e66 = across_9;
-    let _e69 = angle_3;
-    let _e71 = n_40;
-    return ((sin(_e64) * normalize(_e66)) - (cos(_e69) * _e71));
+    let _e61 = angle_3;
+    let _e63 = across_9;
+    let _e66 = angle_3;
+    let _e68 = n_34;
+    return ((sin(_e61) * normalize(_e63)) - (cos(_e66) * _e68));
+}
+
+fn engineInterfaceEnergy(at: vec3<f32>) -> vec4<f32> {
+    var at_1: vec3<f32>;
+
+    at_1 = at;
+    return vec4(0f);
+}
+
+fn engineInterfaceLobe(at_2: vec3<f32>) -> vec4<f32> {
+    var at_3: vec3<f32>;
+
+    at_3 = at_2;
+    return vec4(0f);
+}
+
+fn engineReflectionLobe(at_4: vec3<f32>) -> vec4<f32> {
+    var at_5: vec3<f32>;
+
+    at_5 = at_4;
+    return vec4(0f);
+}
+
+fn engineSceneColor(at_6: vec2<f32>, variance_1: f32) -> vec4<f32> {
+    var at_7: vec2<f32>;
+    var variance_2: f32;
+
+    at_7 = at_6;
+    variance_2 = variance_1;
+    return vec4(0f);
+}
+
+fn engineSceneDepth(at_8: vec2<f32>) -> f32 {
+    var at_9: vec2<f32>;
+
+    at_9 = at_8;
+    return 0f;
+}
+
+fn engineEnvironment(direction_6: vec3<f32>, sigma_6: f32) -> vec3<f32> {
+    var direction_7: vec3<f32>;
+    var sigma_7: f32;
+
+    direction_7 = direction_6;
+    sigma_7 = sigma_6;
+    return vec3(0f);
+}
+
+fn scenePixel(clip: vec4<f32>, size_18: vec2<f32>) -> vec2<f32> {
+    var clip_1: vec4<f32>;
+    var size_19: vec2<f32>;
+
+    clip_1 = clip;
+    size_19 = size_18;
+    let _e33 = clip_1;
+    let _e36 = clip_1;
+    let _e40 = size_19;
+    let _e45 = clip_1;
+    let _e48 = clip_1;
+    let _e52 = size_19;
+    return vec2<f32>(((0.5f + ((0.5f * _e33.x) / _e36.w)) * _e40.x), ((0.5f - ((0.5f * _e45.y) / _e48.w)) * _e52.y));
+}
+
+fn sceneGuess(origin: vec4<f32>, along_7: vec4<f32>, view_4: SceneView) -> SceneMeeting {
+    var origin_1: vec4<f32>;
+    var along_8: vec4<f32>;
+    var view_5: SceneView;
+    var met: SceneMeeting;
+    var at_10: vec2<f32>;
+    var k_16: i32 = 0i;
+    var depth: f32;
+    var sky: bool;
+    var local_80: f32;
+    var local_81: vec4<f32>;
+    var there: vec4<f32>;
+    var next: vec2<f32>;
+
+    origin_1 = origin;
+    along_8 = along_7;
+    view_5 = view_4;
+    met.seen = false;
+    met.metres = -1f;
+    let _e39 = origin_1;
+    let _e40 = view_5;
+    let _e42 = scenePixel(_e39, _e40.size);
+    at_10 = _e42;
+    loop {
+        let _e46 = k_16;
+        let _e48 = met;
+        if !(((_e46 < SCENE_GUESSES) && !(_e48.seen))) {
+            break;
+        }
+        {
+            let _e56 = at_10;
+            let _e57 = engineSceneDepth(_e56);
+            depth = _e57;
+            let _e59 = depth;
+            sky = (_e59 > 100000000000000000000000000000f);
+            let _e64 = sky;
+            if _e64 {
+                local_80 = -1f;
+            } else {
+                let _e67 = depth;
+                let _e68 = origin_1;
+                let _e71 = along_8;
+                local_80 = ((_e67 - _e68.w) / _e71.w);
+            }
+            let _e75 = local_80;
+            met.metres = _e75;
+            let _e76 = along_8;
+            let _e81 = sky;
+            let _e83 = met;
+            if (!((_e76.w > 0f)) || (!(_e81) && (_e83.metres < 0f))) {
+                break;
+            }
+            let _e89 = sky;
+            if _e89 {
+                let _e90 = along_8;
+                local_81 = _e90;
+            } else {
+                let _e91 = origin_1;
+                let _e92 = met;
+                let _e94 = along_8;
+                local_81 = (_e91 + (_e92.metres * _e94));
+            }
+            let _e98 = local_81;
+            there = _e98;
+            let _e100 = there;
+            let _e101 = view_5;
+            let _e103 = scenePixel(_e100, _e101.size);
+            next = _e103;
+            let _e106 = k_16;
+            let _e109 = next;
+            let _e111 = at_10;
+            let _e118 = next;
+            let _e120 = at_10;
+            met.seen = (((_e106 > 0i) && (abs((_e109.x - _e111.x)) < 1f)) && (abs((_e118.y - _e120.y)) < 1f));
+            let _e127 = next;
+            at_10 = _e127;
+        }
+        continuing {
+            let _e53 = k_16;
+            k_16 = (_e53 + 1i);
+        }
+    }
+    let _e128 = met;
+    return _e128;
+}
+
+fn sceneShown(origin_2: vec4<f32>, way: vec4<f32>) -> f32 {
+    var origin_3: vec4<f32>;
+    var way_1: vec4<f32>;
+    var room_1: vec4<f32>;
+    var loss: vec4<f32>;
+    var cut: vec4<f32>;
+    var end: f32;
+
+    origin_3 = origin_2;
+    way_1 = way;
+    let _e31 = origin_3;
+    let _e33 = origin_3;
+    let _e36 = origin_3;
+    let _e38 = origin_3;
+    let _e41 = origin_3;
+    let _e43 = origin_3;
+    let _e46 = origin_3;
+    let _e48 = origin_3;
+    room_1 = max(vec4<f32>((_e31.w - _e33.x), (_e36.w + _e38.x), (_e41.w - _e43.y), (_e46.w + _e48.y)), vec4(0f));
+    let _e56 = way_1;
+    let _e58 = way_1;
+    let _e61 = way_1;
+    let _e64 = way_1;
+    let _e67 = way_1;
+    let _e69 = way_1;
+    let _e72 = way_1;
+    let _e75 = way_1;
+    loss = vec4<f32>((_e56.x - _e58.w), (-(_e61.x) - _e64.w), (_e67.y - _e69.w), (-(_e72.y) - _e75.w));
+    let _e80 = room_1;
+    let _e81 = loss;
+    let _e82 = room_1;
+    cut = min((_e80 / max(max(_e81, _e82), vec4(0.000000000000000000000000000001f))), vec4(1f));
+    let _e92 = cut;
+    let _e94 = cut;
+    let _e97 = cut;
+    let _e99 = cut;
+    end = min(min(_e92.x, _e94.y), min(_e97.z, _e99.w));
+    let _e104 = end;
+    let _e106 = origin_3;
+    let _e109 = way_1;
+    let _e113 = origin_3;
+    return min(_e104, ((0.99f * _e106.w) / max(-(_e109.w), (0.99f * _e113.w))));
+}
+
+fn sceneMarch(origin_4: vec4<f32>, along_9: vec4<f32>, view_6: SceneView) -> SceneMeeting {
+    var origin_5: vec4<f32>;
+    var along_10: vec4<f32>;
+    var view_7: SceneView;
+    var way_2: vec4<f32>;
+    var end_1: f32;
+    var to: vec4<f32>;
+    var a_28: vec3<f32>;
+    var b_19: vec3<f32>;
+    var met_1: SceneMeeting;
+    var low_6: f32 = 0f;
+    var heightLow: f32 = 0f;
+    var high_1: f32 = 1f;
+    var heightHigh: f32 = 0f;
+    var crossed: bool = false;
+    var depth_1: f32 = 0f;
+    var k_17: i32 = 1i;
+    var p_4: vec3<f32>;
+    var beyond: f32;
+    var bordered: bool;
+    var local_82: f32;
+    var gap: f32;
+    var k_18: i32 = 0i;
+    var local_83: f32;
+    var share_2: f32;
+    var u_11: f32;
+    var p_5: vec3<f32>;
+    var height_1: f32;
+    var front: bool;
+    var local_84: f32;
+    var local_85: f32;
+    var local_86: f32;
+    var local_87: f32;
+    var u_12: f32;
+    var near: f32;
+    var far: f32;
+
+    origin_5 = origin_4;
+    along_10 = along_9;
+    view_7 = view_6;
+    let _e33 = view_7;
+    let _e35 = along_10;
+    way_2 = (_e33.reach * _e35);
+    let _e38 = origin_5;
+    let _e39 = way_2;
+    let _e40 = sceneShown(_e38, _e39);
+    end_1 = _e40;
+    let _e42 = origin_5;
+    let _e43 = end_1;
+    let _e44 = way_2;
+    to = (_e42 + (_e43 * _e44));
+    let _e48 = origin_5;
+    let _e50 = origin_5;
+    let _e54 = origin_5;
+    a_28 = (vec3<f32>(_e48.x, _e50.y, 1f) / vec3(_e54.w));
+    let _e59 = to;
+    let _e61 = to;
+    let _e65 = to;
+    b_19 = (vec3<f32>(_e59.x, _e61.y, 1f) / vec3(_e65.w));
+    met_1.seen = false;
+    met_1.metres = -1f;
+    loop {
+        let _e90 = k_17;
+        let _e92 = crossed;
+        if !(((_e90 <= SCENE_STEPS) && !(_e92))) {
+            break;
+        }
+        {
+            let _e99 = k_17;
+            high_1 = (f32(_e99) / 12f);
+            let _e104 = a_28;
+            let _e105 = b_19;
+            let _e106 = high_1;
+            p_4 = mix(_e104, _e105, vec3(_e106));
+            let _e112 = p_4;
+            let _e116 = view_7;
+            let _e122 = p_4;
+            let _e126 = view_7;
+            let _e131 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e112.x)) * _e116.size.x), ((0.5f - (0.5f * _e122.y)) * _e126.size.y)));
+            depth_1 = _e131;
+            let _e132 = p_4;
+            let _e135 = depth_1;
+            heightHigh = (_e132.z - (1f / _e135));
+            let _e138 = heightHigh;
+            let _e141 = k_17;
+            let _e144 = heightLow;
+            crossed = ((_e138 < 0f) && ((_e141 == 1i) || (_e144 >= 0f)));
+            let _e149 = crossed;
+            if !(_e149) {
+                {
+                    let _e151 = high_1;
+                    low_6 = _e151;
+                    let _e152 = heightHigh;
+                    heightLow = _e152;
+                }
+            }
+        }
+        continuing {
+            let _e96 = k_17;
+            k_17 = (_e96 + 1i);
+        }
+    }
+    let _e153 = crossed;
+    if !(_e153) {
+        {
+            let _e155 = depth_1;
+            let _e156 = origin_5;
+            let _e159 = along_10;
+            beyond = ((_e155 - _e156.w) / _e159.w);
+            let _e163 = end_1;
+            let _e166 = depth_1;
+            let _e170 = heightHigh;
+            let _e174 = beyond;
+            bordered = ((((_e163 < 1f) && (_e166 < 100000000000000000000000000000f)) && (_e170 >= 0f)) && (_e174 > 0f));
+            let _e180 = bordered;
+            if _e180 {
+                let _e181 = beyond;
+                local_82 = _e181;
+            } else {
+                local_82 = -1f;
+            }
+            let _e185 = local_82;
+            met_1.metres = _e185;
+            let _e187 = bordered;
+            let _e188 = heightHigh;
+            let _e191 = depth_1;
+            let _e195 = along_10;
+            met_1.seen = (_e187 || (((_e188 >= 0f) && (_e191 > 100000000000000000000000000000f)) && (_e195.w > 0f)));
+            let _e201 = met_1;
+            return _e201;
+        }
+    }
+    let _e202 = heightLow;
+    let _e203 = heightHigh;
+    gap = max((_e202 - _e203), 0.000000000000000000000000000001f);
+    loop {
+        let _e210 = k_18;
+        if !((_e210 < SCENE_SECANTS)) {
+            break;
+        }
+        {
+            let _e216 = k_18;
+            if ((_e216 % 2i) == 0i) {
+                local_83 = 0.5f;
+            } else {
+                let _e222 = heightLow;
+                let _e223 = heightLow;
+                let _e224 = heightHigh;
+                local_83 = (_e222 / max((_e223 - _e224), 0.000000000000000000000000000001f));
+            }
+            let _e230 = local_83;
+            share_2 = _e230;
+            let _e232 = low_6;
+            let _e233 = high_1;
+            let _e234 = share_2;
+            u_11 = mix(_e232, _e233, clamp(_e234, 0f, 1f));
+            let _e240 = a_28;
+            let _e241 = b_19;
+            let _e242 = u_11;
+            p_5 = mix(_e240, _e241, vec3(_e242));
+            let _e248 = p_5;
+            let _e252 = view_7;
+            let _e258 = p_5;
+            let _e262 = view_7;
+            let _e267 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e248.x)) * _e252.size.x), ((0.5f - (0.5f * _e258.y)) * _e262.size.y)));
+            depth_1 = _e267;
+            let _e268 = p_5;
+            let _e271 = depth_1;
+            height_1 = (_e268.z - (1f / _e271));
+            let _e275 = height_1;
+            front = (_e275 >= 0f);
+            let _e279 = front;
+            if _e279 {
+                let _e280 = u_11;
+                local_84 = _e280;
+            } else {
+                let _e281 = low_6;
+                local_84 = _e281;
+            }
+            let _e283 = local_84;
+            low_6 = _e283;
+            let _e284 = front;
+            if _e284 {
+                let _e285 = height_1;
+                local_85 = _e285;
+            } else {
+                let _e286 = heightLow;
+                local_85 = _e286;
+            }
+            let _e288 = local_85;
+            heightLow = _e288;
+            let _e289 = front;
+            if _e289 {
+                let _e290 = high_1;
+                local_86 = _e290;
+            } else {
+                let _e291 = u_11;
+                local_86 = _e291;
+            }
+            let _e293 = local_86;
+            high_1 = _e293;
+            let _e294 = front;
+            if _e294 {
+                let _e295 = heightHigh;
+                local_87 = _e295;
+            } else {
+                let _e296 = height_1;
+                local_87 = _e296;
+            }
+            let _e298 = local_87;
+            heightHigh = _e298;
+        }
+        continuing {
+            let _e213 = k_18;
+            k_18 = (_e213 + 1i);
+        }
+    }
+    let _e299 = low_6;
+    let _e300 = high_1;
+    let _e301 = heightLow;
+    let _e302 = heightLow;
+    let _e303 = heightHigh;
+    u_12 = mix(_e299, _e300, (_e301 / max((_e302 - _e303), 0.000000000000000000000000000001f)));
+    let _e311 = u_12;
+    let _e313 = origin_5;
+    near = ((1f - _e311) / _e313.w);
+    let _e317 = u_12;
+    let _e318 = to;
+    far = (_e317 / _e318.w);
+    let _e323 = view_7;
+    let _e325 = end_1;
+    let _e327 = far;
+    let _e329 = near;
+    let _e330 = far;
+    met_1.metres = (((_e323.reach * _e325) * _e327) / (_e329 + _e330));
+    let _e334 = heightLow;
+    let _e335 = heightHigh;
+    let _e338 = gap;
+    let _e341 = gap;
+    met_1.seen = (((_e334 - _e335) < (0.5f * _e338)) || (_e341 < 0.000001f));
+    let _e345 = met_1;
+    return _e345;
+}
+
+fn sceneMeeting(origin_6: vec3<f32>, direction_8: vec3<f32>, view_8: SceneView) -> SceneMeeting {
+    var origin_7: vec3<f32>;
+    var direction_9: vec3<f32>;
+    var view_9: SceneView;
+    var from_: vec4<f32>;
+    var along_11: vec4<f32>;
+    var met_2: SceneMeeting;
+
+    origin_7 = origin_6;
+    direction_9 = direction_8;
+    view_9 = view_8;
+    let _e33 = view_9;
+    let _e35 = origin_7;
+    from_ = (_e33.clipFromWorld * vec4<f32>(_e35.x, _e35.y, _e35.z, 1f));
+    let _e43 = view_9;
+    let _e45 = direction_9;
+    along_11 = (_e43.clipFromWorld * vec4<f32>(_e45.x, _e45.y, _e45.z, 0f));
+    let _e53 = from_;
+    let _e54 = along_11;
+    let _e55 = view_9;
+    let _e56 = sceneGuess(_e53, _e54, _e55);
+    met_2 = _e56;
+    let _e58 = met_2;
+    if !(_e58.seen) {
+        let _e61 = from_;
+        let _e62 = along_11;
+        let _e63 = view_9;
+        let _e64 = sceneMarch(_e61, _e62, _e63);
+        met_2 = _e64;
+    }
+    let _e65 = met_2;
+    return _e65;
 }
 
 fn pyramidVariance(level_1: f32) -> f32 {
@@ -6039,18 +6089,18 @@ fn pyramidVariance(level_1: f32) -> f32 {
     return ((0.25f * (_e35 - 1f)) + (_e39 / 6f));
 }
 
-fn pyramidLevel(variance_1: f32, lastLevel: f32) -> f32 {
-    var variance_2: f32;
+fn pyramidLevel(variance_3: f32, lastLevel: f32) -> f32 {
+    var variance_4: f32;
     var lastLevel_1: f32;
     var scale_6: f32;
     var exact: f32;
     var below_3: f32;
-    var low_6: f32;
-    var high_1: f32;
+    var low_7: f32;
+    var high_2: f32;
 
-    variance_2 = variance_1;
+    variance_4 = variance_3;
     lastLevel_1 = lastLevel;
-    let _e31 = variance_2;
+    let _e31 = variance_4;
     scale_6 = ((_e31 + 0.25f) / 0.4166667f);
     let _e42 = scale_6;
     exact = (0.5f * log2(max(_e42, 1f)));
@@ -6059,87 +6109,87 @@ fn pyramidLevel(variance_1: f32, lastLevel: f32) -> f32 {
     below_3 = min(floor(_e48), _e50);
     let _e53 = below_3;
     let _e54 = pyramidVariance(_e53);
-    low_6 = _e54;
+    low_7 = _e54;
     let _e56 = below_3;
     let _e59 = pyramidVariance((_e56 + 1f));
-    high_1 = _e59;
+    high_2 = _e59;
     let _e61 = below_3;
-    let _e62 = variance_2;
-    let _e63 = low_6;
-    let _e65 = high_1;
-    let _e66 = low_6;
+    let _e62 = variance_4;
+    let _e63 = low_7;
+    let _e65 = high_2;
+    let _e66 = low_7;
     let _e73 = lastLevel_1;
     return min((_e61 + clamp(((_e62 - _e63) / (_e65 - _e66)), 0f, 1f)), _e73);
 }
 
-fn normalIntegral(x_25: f32) -> f32 {
-    var x_26: f32;
+fn normalIntegral(x_22: f32) -> f32 {
+    var x_23: f32;
 
-    x_26 = x_25;
-    let _e33 = x_26;
+    x_23 = x_22;
+    let _e33 = x_23;
     return (1f / (1f + exp((-1.702f * _e33))));
 }
 
-fn pyramidCoverage(at_4: vec2<f32>, size_20: vec2<f32>, sigma_6: f32) -> f32 {
-    var at_5: vec2<f32>;
+fn pyramidCoverage(at_11: vec2<f32>, size_20: vec2<f32>, sigma_8: f32) -> f32 {
+    var at_12: vec2<f32>;
     var size_21: vec2<f32>;
-    var sigma_7: f32;
+    var sigma_9: f32;
     var inverse: f32;
-    var x_27: f32;
+    var x_24: f32;
     var y_9: f32;
 
-    at_5 = at_4;
+    at_12 = at_11;
     size_21 = size_20;
-    sigma_7 = sigma_6;
-    let _e34 = sigma_7;
+    sigma_9 = sigma_8;
+    let _e34 = sigma_9;
     inverse = (1f / max(_e34, 0.25f));
     let _e39 = size_21;
-    let _e41 = at_5;
+    let _e41 = at_12;
     let _e44 = inverse;
     let _e46 = normalIntegral(((_e39.x - _e41.x) * _e44));
-    let _e47 = at_5;
+    let _e47 = at_12;
     let _e50 = inverse;
     let _e52 = normalIntegral((-(_e47.x) * _e50));
-    x_27 = (_e46 - _e52);
+    x_24 = (_e46 - _e52);
     let _e55 = size_21;
-    let _e57 = at_5;
+    let _e57 = at_12;
     let _e60 = inverse;
     let _e62 = normalIntegral(((_e55.y - _e57.y) * _e60));
-    let _e63 = at_5;
+    let _e63 = at_12;
     let _e66 = inverse;
     let _e68 = normalIntegral((-(_e63.y) * _e66));
     y_9 = (_e62 - _e68);
-    let _e71 = x_27;
+    let _e71 = x_24;
     let _e72 = y_9;
     return clamp((_e71 * _e72), 0f, 1f);
 }
 
-fn beamVariance(sigma_8: f32, carried_2: f32, inner_6: f32, inside_2: f32, outside: f32) -> f32 {
-    var sigma_9: f32;
+fn beamVariance(sigma_10: f32, carried_2: f32, inner_6: f32, inside_1: f32, outside: f32) -> f32 {
+    var sigma_11: f32;
     var carried_3: f32;
     var inner_7: f32;
-    var inside_3: f32;
+    var inside_2: f32;
     var outside_1: f32;
     var offset: f32;
     var angle_4: f32;
 
-    sigma_9 = sigma_8;
+    sigma_11 = sigma_10;
     carried_3 = carried_2;
     inner_7 = inner_6;
-    inside_3 = inside_2;
+    inside_2 = inside_1;
     outside_1 = outside;
-    let _e37 = inside_3;
+    let _e37 = inside_2;
     let _e38 = inner_7;
     offset = (_e37 * _e38);
     let _e41 = outside_1;
-    let _e42 = sigma_9;
+    let _e42 = sigma_11;
     angle_4 = (_e41 * _e42);
     let _e45 = angle_4;
     let _e46 = angle_4;
     let _e49 = offset;
     let _e51 = outside_1;
     let _e53 = carried_3;
-    let _e54 = sigma_9;
+    let _e54 = sigma_11;
     let _e58 = offset;
     let _e59 = offset;
     return (((_e45 * _e46) + (((2f * _e49) * _e51) * min(_e53, _e54))) + (_e58 * _e59));
@@ -6157,263 +6207,1442 @@ fn pixelsPerRadian(focal: f32, cosine: f32) -> f32 {
     return (_e31 / (_e32 * sqrt(_e33)));
 }
 
-fn thinWallCoordinate(tap_7: i32, taps_8: i32, cosTheta_42: f32, alpha_88: f32, eta_60: f32) -> vec3<f32> {
-    var tap_8: i32;
-    var taps_9: i32;
+fn lobeRadiance(tap_7: ComposedTap, origin_8: vec3<f32>, inside_3: f32, met_3: SceneMeeting, view_10: SceneView) -> vec3<f32> {
+    var tap_8: ComposedTap;
+    var origin_9: vec3<f32>;
+    var inside_4: f32;
+    var met_4: SceneMeeting;
+    var view_11: SceneView;
+    var ends: bool;
+    var local_88: vec3<f32>;
+    var place: vec3<f32>;
+    var local_89: f32;
+    var clip_2: vec4<f32>;
+    var share_3: f32 = 0f;
+    var near_1: vec3<f32> = vec3(0f);
+    var local_90: vec3<f32>;
+    var fromEye: vec3<f32>;
+    var range_1: f32;
+    var metres: f32;
+    var local_91: f32;
+    var pixels: f32;
+    var at_13: vec2<f32>;
+    var outside_2: vec2<f32>;
+    var far_1: f32;
+    var local_92: f32;
+    var shown: vec4<f32>;
+    var local_93: vec3<f32>;
+    var local_94: vec3<f32>;
+
+    tap_8 = tap_7;
+    origin_9 = origin_8;
+    inside_4 = inside_3;
+    met_4 = met_3;
+    view_11 = view_10;
+    let _e37 = met_4;
+    ends = (_e37.metres >= 0f);
+    let _e42 = ends;
+    if _e42 {
+        let _e43 = origin_9;
+        let _e44 = met_4;
+        let _e46 = tap_8;
+        local_88 = (_e43 + (_e44.metres * _e46.direction));
+    } else {
+        let _e50 = tap_8;
+        local_88 = _e50.direction;
+    }
+    let _e53 = local_88;
+    place = _e53;
+    let _e55 = view_11;
+    let _e57 = place;
+    let _e58 = ends;
+    if _e58 {
+        local_89 = 1f;
+    } else {
+        local_89 = 0f;
+    }
+    let _e62 = local_89;
+    clip_2 = (_e55.clipFromWorld * vec4<f32>(_e57.x, _e57.y, _e57.z, _e62));
+    let _e74 = met_4;
+    let _e76 = clip_2;
+    if (_e74.seen && (_e76.w > 0f)) {
+        {
+            let _e81 = ends;
+            if _e81 {
+                let _e82 = place;
+                let _e83 = view_11;
+                local_90 = (_e82 - _e83.eye);
+            } else {
+                let _e86 = tap_8;
+                local_90 = _e86.direction;
+            }
+            let _e89 = local_90;
+            fromEye = _e89;
+            let _e91 = fromEye;
+            range_1 = length(_e91);
+            let _e94 = tap_8;
+            let _e96 = tap_8;
+            let _e98 = tap_8;
+            let _e100 = inside_4;
+            let _e101 = met_4;
+            let _e103 = beamVariance(_e94.sigma, _e96.carried, _e98.inner, _e100, _e101.metres);
+            metres = sqrt(_e103);
+            let _e106 = ends;
+            if _e106 {
+                let _e107 = metres;
+                let _e108 = range_1;
+                local_91 = (_e107 / _e108);
+            } else {
+                let _e110 = tap_8;
+                local_91 = _e110.sigma;
+            }
+            let _e113 = local_91;
+            let _e114 = view_11;
+            let _e116 = clip_2;
+            let _e118 = range_1;
+            let _e122 = pixelsPerRadian(_e114.focal, min((_e116.w / _e118), 1f));
+            pixels = (_e113 * _e122);
+            let _e125 = clip_2;
+            let _e126 = view_11;
+            let _e128 = scenePixel(_e125, _e126.size);
+            at_13 = _e128;
+            let _e130 = at_13;
+            let _e132 = at_13;
+            let _e133 = view_11;
+            outside_2 = max(max(-(_e130), (_e132 - _e133.size)), vec2(0f));
+            let _e141 = outside_2;
+            let _e142 = outside_2;
+            far_1 = dot(_e141, _e142);
+            let _e145 = ends;
+            if _e145 {
+                let _e148 = far_1;
+                let _e150 = view_11;
+                let _e153 = view_11;
+                local_92 = exp(((-0.5f * _e148) / (_e150.size.y * _e153.size.y)));
+            } else {
+                let _e159 = at_13;
+                let _e160 = view_11;
+                let _e162 = pixels;
+                let _e163 = pyramidCoverage(_e159, _e160.size, _e162);
+                local_92 = _e163;
+            }
+            let _e165 = local_92;
+            share_3 = _e165;
+            let _e166 = share_3;
+            if (_e166 > 0f) {
+                {
+                    let _e169 = at_13;
+                    let _e170 = pixels;
+                    let _e171 = pixels;
+                    let _e173 = far_1;
+                    let _e175 = engineSceneColor(_e169, ((_e170 * _e171) + _e173));
+                    shown = _e175;
+                    let _e177 = share_3;
+                    let _e179 = shown;
+                    share_3 = (_e177 * min((2f * _e179.w), 1f));
+                    let _e185 = shown;
+                    if (_e185.w > 0f) {
+                        let _e189 = shown;
+                        let _e191 = shown;
+                        let _e193 = shown;
+                        let _e196 = shown;
+                        local_93 = (vec3<f32>(_e189.x, _e191.y, _e193.z) / vec3(_e196.w));
+                    } else {
+                        local_93 = vec3(0f);
+                    }
+                    let _e203 = local_93;
+                    near_1 = _e203;
+                }
+            }
+        }
+    }
+    let _e204 = share_3;
+    if (_e204 >= 0.999f) {
+        let _e207 = near_1;
+        local_94 = _e207;
+    } else {
+        let _e208 = tap_8;
+        let _e210 = tap_8;
+        let _e212 = engineEnvironment(_e208.direction, _e210.sigma);
+        let _e213 = near_1;
+        let _e214 = share_3;
+        local_94 = mix(_e212, _e213, vec3(_e214));
+    }
+    let _e218 = local_94;
+    return _e218;
+}
+
+fn engineFaceEnergy(cosTheta_42: f32, alpha_88: f32, eta_60: f32) -> InterfaceEnergy {
     var cosTheta_43: f32;
     var alpha_89: f32;
     var eta_61: f32;
 
-    tap_8 = tap_7;
-    taps_9 = taps_8;
     cosTheta_43 = cosTheta_42;
     alpha_89 = alpha_88;
     eta_61 = eta_60;
-    let _e40 = cosTheta_43;
-    let _e44 = tableCoordinate(sqrt(max(_e40, 0f)), THIN_WALL_COSINES);
-    let _e45 = alpha_89;
-    let _e49 = tap_8;
-    let _e50 = taps_9;
-    let _e51 = blockCoordinate(sqrt(max(_e45, 0f)), THIN_WALL_ALPHAS, _e49, _e50);
-    let _e52 = eta_61;
-    let _e53 = interfaceEtaAxis(_e52);
-    let _e54 = tableCoordinate(_e53, THIN_WALL_SLICES);
-    return vec3<f32>(_e44, _e51, _e54);
+    let _e33 = cosTheta_43;
+    let _e34 = alpha_89;
+    let _e35 = eta_61;
+    let _e36 = interfaceEnergyCoordinate(_e33, _e34, _e35);
+    let _e37 = engineInterfaceEnergy(_e36);
+    let _e38 = interfaceEnergy(_e37);
+    return _e38;
 }
 
-fn thinWallWidth(cosTheta_44: f32, alpha_90: f32, eta_62: f32) -> f32 {
-    var cosTheta_45: f32;
-    var alpha_91: f32;
-    var eta_63: f32;
-    var c_26: f32;
-    var local_83: f32;
-    var n_41: f32;
-    var across_10: f32;
-    var width_5: f32;
+fn reflectionLooked(reflected: f32, through_1: f32) -> f32 {
+    var reflected_1: f32;
+    var through_2: f32;
 
-    cosTheta_45 = cosTheta_44;
-    alpha_91 = alpha_90;
-    eta_63 = eta_62;
-    let _e36 = cosTheta_45;
-    c_26 = clamp(_e36, 0f, 1f);
-    let _e41 = eta_63;
-    if (_e41 < 1f) {
-        let _e45 = eta_63;
-        local_83 = (1f / max(_e45, 0.01f));
+    reflected_1 = reflected;
+    through_2 = through_1;
+    let _e33 = reflected_1;
+    let _e34 = reflected_1;
+    let _e35 = through_2;
+    return smoothstep(0.04f, 0.08f, (_e33 / max((_e34 + _e35), 0.000001f)));
+}
+
+fn reflectGlass(face_6: GlassFace, ior: f32, through_3: f32, view_12: SceneView) -> vec3<f32> {
+    var face_7: GlassFace;
+    var ior_1: f32;
+    var through_4: f32;
+    var view_13: SceneView;
+    var cosTheta_44: f32;
+    var energy_3: f32;
+    var texel_8: vec4<f32>;
+    var tap_9: ComposedTap;
+    var looked: f32;
+    var local_95: vec3<f32>;
+    var far_2: vec3<f32>;
+    var met_5: SceneMeeting;
+
+    face_7 = face_6;
+    ior_1 = ior;
+    through_4 = through_3;
+    view_13 = view_12;
+    let _e35 = face_7;
+    let _e37 = face_7;
+    cosTheta_44 = dot(_e35.wo, _e37.n);
+    let _e41 = cosTheta_44;
+    let _e42 = face_7;
+    let _e44 = ior_1;
+    let _e45 = engineFaceEnergy(_e41, _e42.alpha, _e44);
+    energy_3 = _e45.reflected;
+    let _e48 = cosTheta_44;
+    let _e49 = face_7;
+    let _e51 = ior_1;
+    let _e52 = fresnelNormalIncidence(_e51);
+    let _e53 = energy_3;
+    let _e54 = edgeShare(_e52, _e53);
+    let _e55 = lobeCoordinate(_e48, _e49.alpha, _e54);
+    let _e56 = engineReflectionLobe(_e55);
+    texel_8 = _e56;
+    let _e61 = cosTheta_44;
+    let _e63 = face_7;
+    let _e66 = face_7;
+    let _e69 = face_7;
+    let _e71 = texel_8;
+    let _e73 = lobeDirection((((2f * _e61) * _e63.n) - _e66.wo), _e69.n, _e71.x);
+    tap_9.direction = _e73;
+    let _e75 = texel_8;
+    let _e77 = texel_8;
+    let _e80 = face_7;
+    let _e83 = face_7;
+    let _e87 = face_7;
+    tap_9.sigma = sqrt(((((_e75.y * _e77.y) * _e80.alpha) * _e83.alpha) + (4f * _e87.turn)));
+    let _e93 = energy_3;
+    tap_9.weight = _e93;
+    tap_9.inner = 0f;
+    tap_9.carried = 0f;
+    let _e98 = energy_3;
+    let _e99 = through_4;
+    let _e100 = reflectionLooked(_e98, _e99);
+    looked = _e100;
+    let _e102 = looked;
+    if (_e102 < 1f) {
+        let _e105 = tap_9;
+        let _e107 = tap_9;
+        let _e109 = engineEnvironment(_e105.direction, _e107.sigma);
+        local_95 = _e109;
     } else {
-        let _e49 = eta_63;
-        local_83 = _e49;
+        local_95 = vec3(0f);
     }
-    let _e51 = local_83;
-    n_41 = _e51;
-    let _e53 = n_41;
-    let _e56 = n_41;
-    let _e60 = c_26;
-    let _e61 = n_41;
-    let _e62 = fresnelG(_e60, _e61);
-    let _e63 = c_26;
-    across_10 = (((_e53 - 1f) * (_e56 + 1f)) / max((_e62 + _e63), 0.000000000000000000000000000001f));
-    let _e70 = alpha_91;
-    let _e72 = across_10;
-    let _e74 = c_26;
-    let _e75 = c_26;
-    let _e77 = alpha_91;
-    width_5 = (((1.4142135f * _e70) * _e72) * inverseSqrt(sqrt(((_e74 * _e75) + max(_e77, 0.000000000001f)))));
-    let _e85 = width_5;
-    let _e88 = width_5;
-    return (_e85 / (1f + (2f * _e88)));
-}
-
-fn thinWallEnergy(texel_8: vec4<f32>) -> ThinWallEnergy {
-    var texel_9: vec4<f32>;
-    var e_7: ThinWallEnergy;
-
-    texel_9 = texel_8;
-    let _e34 = texel_9;
-    e_7.transmitted = _e34.x;
-    let _e37 = texel_9;
-    e_7.reflectedFirst = _e37.y;
-    let _e40 = texel_9;
-    e_7.reflectedLater = _e40.z;
-    let _e42 = e_7;
-    return _e42;
-}
-
-fn thinWallLaterSpread(eta_64: f32) -> f32 {
-    var eta_65: f32;
-    var local_84: f32;
-    var n_42: f32;
-
-    eta_65 = eta_64;
-    let _e32 = eta_65;
-    if (_e32 < 1f) {
-        let _e36 = eta_65;
-        local_84 = (1f / max(_e36, 0.01f));
-    } else {
-        let _e40 = eta_65;
-        local_84 = _e40;
+    let _e113 = local_95;
+    far_2 = _e113;
+    let _e115 = looked;
+    if (_e115 == 0f) {
+        let _e118 = energy_3;
+        let _e119 = far_2;
+        return (_e118 * _e119);
     }
-    let _e42 = local_84;
-    n_42 = _e42;
-    let _e44 = n_42;
-    let _e45 = n_42;
-    let _e48 = n_42;
-    let _e52 = n_42;
-    return sqrt(((_e44 * _e45) + ((0.5f * (_e48 - 1f)) * (_e52 - 1f))));
-}
-
-fn thinWallTap(texel_10: vec4<f32>, cosTheta_46: f32, alpha_92: f32, eta_66: f32) -> InterfaceTap {
-    var texel_11: vec4<f32>;
-    var cosTheta_47: f32;
-    var alpha_93: f32;
-    var eta_67: f32;
-    var c_27: f32;
-    var width_6: f32;
-    var tap_9: InterfaceTap;
-
-    texel_11 = texel_10;
-    cosTheta_47 = cosTheta_46;
-    alpha_93 = alpha_92;
-    eta_67 = eta_66;
-    let _e38 = cosTheta_47;
-    c_27 = clamp(_e38, 0f, 1f);
-    let _e43 = c_27;
-    let _e44 = alpha_93;
-    let _e48 = eta_67;
-    let _e49 = thinWallWidth(_e43, clamp(_e44, 0f, 1f), _e48);
-    width_6 = _e49;
-    let _e54 = c_27;
-    let _e57 = c_27;
-    let _e61 = c_27;
-    let _e63 = texel_11;
-    let _e65 = width_6;
-    tap_9.angle = (atan2(sqrt(((1f - _e54) * (1f + _e57))), _e61) + (_e63.x * _e65));
-    let _e69 = texel_11;
-    let _e71 = width_6;
-    tap_9.sigma = (_e69.y * _e71);
-    let _e74 = texel_11;
-    tap_9.weight = _e74.z;
-    let _e76 = tap_9;
-    return _e76;
+    let _e121 = face_7;
+    let _e123 = tap_9;
+    let _e125 = view_13;
+    let _e126 = sceneMeeting(_e121.position, _e123.direction, _e125);
+    met_5 = _e126;
+    let _e128 = energy_3;
+    let _e129 = far_2;
+    let _e130 = tap_9;
+    let _e131 = face_7;
+    let _e134 = met_5;
+    let _e135 = view_13;
+    let _e136 = lobeRadiance(_e130, _e131.position, 0f, _e134, _e135);
+    let _e137 = looked;
+    return (_e128 * mix(_e129, _e136, vec3(_e137)));
 }
 
 fn wanderingLossGgx() -> WanderingLoss {
-    var k_18: WanderingLoss;
+    var k_19: WanderingLoss;
 
-    k_18.linear = 0.635f;
-    k_18.constant = 0.254f;
-    k_18.thin = 1.078f;
-    k_18.passes = 0.3f;
-    let _e39 = k_18;
-    return _e39;
+    k_19.linear = 0.635f;
+    k_19.constant = 0.254f;
+    k_19.thin = 1.078f;
+    k_19.passes = 0.3f;
+    let _e36 = k_19;
+    return _e36;
 }
 
 fn wanderingLossBeckmann() -> WanderingLoss {
-    var k_19: WanderingLoss;
+    var k_20: WanderingLoss;
 
-    k_19.linear = 0.201f;
-    k_19.constant = 1.555f;
-    k_19.thin = 0.565f;
-    k_19.passes = 0f;
-    let _e39 = k_19;
-    return _e39;
+    k_20.linear = 0.201f;
+    k_20.constant = 1.555f;
+    k_20.thin = 0.565f;
+    k_20.passes = 0f;
+    let _e36 = k_20;
+    return _e36;
 }
 
-fn wanderingPasses(ior: f32) -> f32 {
-    var ior_1: f32;
-    var eta_68: f32;
-    var passes: f32;
-    var local_85: f32;
-
-    ior_1 = ior;
-    let _e32 = ior_1;
-    let _e34 = ior_1;
-    eta_68 = max(_e32, (1f / _e34));
-    let _e40 = eta_68;
-    let _e41 = fresnelTransmittedAt(0.355051f, _e40);
-    let _e45 = eta_68;
-    let _e46 = fresnelTransmittedAt(0.844949f, _e45);
-    passes = ((0.363917f * _e41) + (0.636083f * _e46));
-    let _e50 = ior_1;
-    if (_e50 > 1f) {
-        let _e53 = passes;
-        let _e54 = ior_1;
-        let _e55 = ior_1;
-        local_85 = (_e53 / (_e54 * _e55));
-    } else {
-        let _e58 = passes;
-        local_85 = _e58;
-    }
-    let _e60 = local_85;
-    return _e60;
-}
-
-fn wanderingAt(alpha_94: f32, ior_2: f32, k_20: WanderingLoss) -> Wandering {
-    var alpha_95: f32;
+fn wanderingPasses(ior_2: f32) -> f32 {
     var ior_3: f32;
-    var k_21: WanderingLoss;
+    var eta_62: f32;
+    var passes: f32;
+    var local_96: f32;
+
+    ior_3 = ior_2;
+    let _e29 = ior_3;
+    let _e31 = ior_3;
+    eta_62 = max(_e29, (1f / _e31));
+    let _e37 = eta_62;
+    let _e38 = fresnelTransmittedAt(0.355051f, _e37);
+    let _e42 = eta_62;
+    let _e43 = fresnelTransmittedAt(0.844949f, _e42);
+    passes = ((0.363917f * _e38) + (0.636083f * _e43));
+    let _e47 = ior_3;
+    if (_e47 > 1f) {
+        let _e50 = passes;
+        let _e51 = ior_3;
+        let _e52 = ior_3;
+        local_96 = (_e50 / (_e51 * _e52));
+    } else {
+        let _e55 = passes;
+        local_96 = _e55;
+    }
+    let _e57 = local_96;
+    return _e57;
+}
+
+fn wanderingAt(alpha_90: f32, ior_4: f32, k_21: WanderingLoss) -> Wandering {
+    var alpha_91: f32;
+    var ior_5: f32;
+    var k_22: WanderingLoss;
     var smoothly: f32;
     var alpha2_1: f32;
     var lost_2: f32;
-    var w_27: Wandering;
+    var w_22: Wandering;
 
-    alpha_95 = alpha_94;
-    ior_3 = ior_2;
-    k_21 = k_20;
-    let _e36 = ior_3;
-    let _e37 = wanderingPasses(_e36);
-    smoothly = _e37;
-    let _e39 = alpha_95;
-    let _e40 = alpha_95;
-    alpha2_1 = (_e39 * _e40);
-    let _e43 = alpha2_1;
-    let _e44 = alpha2_1;
-    let _e45 = k_21;
-    let _e47 = alpha_95;
-    let _e50 = k_21;
-    let _e55 = k_21;
-    let _e57 = alpha_95;
-    let _e59 = smoothly;
-    lost_2 = ((_e43 / ((_e44 + (_e45.linear * _e47)) + _e50.constant)) * max((1f - ((_e55.thin * _e57) * max((_e59 - 0.4f), 0f))), 0f));
-    let _e72 = smoothly;
-    let _e74 = k_21;
-    let _e76 = alpha2_1;
-    w_27.passes = (_e72 * (1f - (_e74.passes * _e76)));
-    let _e82 = w_27;
-    let _e85 = lost_2;
-    w_27.back = max(((1f - _e82.passes) - _e85), 0f);
-    let _e89 = w_27;
-    return _e89;
+    alpha_91 = alpha_90;
+    ior_5 = ior_4;
+    k_22 = k_21;
+    let _e33 = ior_5;
+    let _e34 = wanderingPasses(_e33);
+    smoothly = _e34;
+    let _e36 = alpha_91;
+    let _e37 = alpha_91;
+    alpha2_1 = (_e36 * _e37);
+    let _e40 = alpha2_1;
+    let _e41 = alpha2_1;
+    let _e42 = k_22;
+    let _e44 = alpha_91;
+    let _e47 = k_22;
+    let _e52 = k_22;
+    let _e54 = alpha_91;
+    let _e56 = smoothly;
+    lost_2 = ((_e40 / ((_e41 + (_e42.linear * _e44)) + _e47.constant)) * max((1f - ((_e52.thin * _e54) * max((_e56 - 0.4f), 0f))), 0f));
+    let _e69 = smoothly;
+    let _e71 = k_22;
+    let _e73 = alpha2_1;
+    w_22.passes = (_e69 * (1f - (_e71.passes * _e73)));
+    let _e79 = w_22;
+    let _e82 = lost_2;
+    w_22.back = max(((1f - _e79.passes) - _e82), 0f);
+    let _e86 = w_22;
+    return _e86;
 }
 
-fn wanderingConcave(w_28: Wandering, again: f32) -> Wandering {
-    var w_29: Wandering;
+fn wanderingConcave(w_23: Wandering, again: f32) -> Wandering {
+    var w_24: Wandering;
     var again_1: f32;
     var concave: Wandering;
 
-    w_29 = w_28;
+    w_24 = w_23;
     again_1 = again;
-    let _e37 = again_1;
-    let _e39 = w_29;
-    concave.passes = ((1f - _e37) * _e39.passes);
-    let _e43 = w_29;
-    let _e45 = again_1;
-    let _e46 = w_29;
-    concave.back = (_e43.back + (_e45 * _e46.passes));
-    let _e50 = concave;
-    return _e50;
+    let _e34 = again_1;
+    let _e36 = w_24;
+    concave.passes = ((1f - _e34) * _e36.passes);
+    let _e40 = w_24;
+    let _e42 = again_1;
+    let _e43 = w_24;
+    concave.back = (_e40.back + (_e42 * _e43.passes));
+    let _e47 = concave;
+    return _e47;
 }
 
-fn wanderingEscapes(w_30: Wandering, way_4: vec3<f32>) -> vec3<f32> {
-    var w_31: Wandering;
-    var way_5: vec3<f32>;
+fn wanderingEscapes(w_25: Wandering, way_3: vec3<f32>) -> vec3<f32> {
+    var w_26: Wandering;
+    var way_4: vec3<f32>;
 
-    w_31 = w_30;
-    way_5 = way_4;
-    let _e34 = w_31;
-    let _e36 = way_5;
-    let _e40 = w_31;
-    let _e42 = way_5;
-    let _e45 = w_31;
-    return ((_e34.passes * _e36) / max((vec3(1f) - (_e40.back * _e42)), vec3(_e45.passes)));
+    w_26 = w_25;
+    way_4 = way_3;
+    let _e31 = w_26;
+    let _e33 = way_4;
+    let _e37 = w_26;
+    let _e39 = way_4;
+    let _e42 = w_26;
+    return ((_e31.passes * _e33) / max((vec3(1f) - (_e37.back * _e39)), vec3(_e42.passes)));
+}
+
+fn engineFaceTap(tap_10: i32, cosTheta_45: f32, alpha_92: f32, eta_63: f32) -> InterfaceTap {
+    var tap_11: i32;
+    var cosTheta_46: f32;
+    var alpha_93: f32;
+    var eta_64: f32;
+
+    tap_11 = tap_10;
+    cosTheta_46 = cosTheta_45;
+    alpha_93 = alpha_92;
+    eta_64 = eta_63;
+    let _e35 = tap_11;
+    let _e37 = cosTheta_46;
+    let _e38 = alpha_93;
+    let _e39 = eta_64;
+    let _e40 = interfaceLobeCoordinate(_e35, 2i, _e37, _e38, _e39);
+    let _e41 = engineInterfaceLobe(_e40);
+    let _e42 = cosTheta_46;
+    let _e43 = alpha_93;
+    let _e44 = eta_64;
+    let _e45 = interfaceTap(_e41, _e42, _e43, _e44);
+    return _e45;
+}
+
+fn engineEnteringTap(tap_12: i32, face_8: GlassFace, ior_6: f32, energy_4: f32) -> InnerTap {
+    var tap_13: i32;
+    var face_9: GlassFace;
+    var ior_7: f32;
+    var energy_5: f32;
+    var read_: InterfaceTap;
+    var inner_8: InnerTap;
+    var matched: bool;
+    var local_97: vec3<f32>;
+    var local_98: f32;
+    var local_99: f32;
+
+    tap_13 = tap_12;
+    face_9 = face_8;
+    ior_7 = ior_6;
+    energy_5 = energy_4;
+    let _e35 = tap_13;
+    let _e36 = face_9;
+    let _e38 = face_9;
+    let _e41 = face_9;
+    let _e43 = ior_7;
+    let _e44 = engineFaceTap(_e35, dot(_e36.wo, _e38.n), _e41.alpha, _e43);
+    read_ = _e44;
+    let _e47 = ior_7;
+    matched = (abs((_e47 - 1f)) < INDEX_MATCHED);
+    let _e54 = matched;
+    if _e54 {
+        let _e55 = face_9;
+        local_97 = -(_e55.wo);
+    } else {
+        let _e58 = face_9;
+        let _e60 = face_9;
+        let _e62 = read_;
+        let _e64 = interfaceTapDirection(_e58.wo, _e60.n, _e62.angle);
+        local_97 = _e64;
+    }
+    let _e66 = local_97;
+    inner_8.direction = _e66;
+    let _e68 = matched;
+    if _e68 {
+        local_98 = 0f;
+    } else {
+        let _e70 = read_;
+        local_98 = _e70.sigma;
+    }
+    let _e73 = local_98;
+    inner_8.sigma = _e73;
+    let _e75 = read_;
+    let _e77 = matched;
+    if _e77 {
+        local_99 = 1f;
+    } else {
+        let _e79 = energy_5;
+        local_99 = _e79;
+    }
+    let _e81 = local_99;
+    inner_8.weight = (_e75.weight * _e81);
+    let _e83 = inner_8;
+    return _e83;
+}
+
+fn engineLeavingPair(inner_9: InnerTap, core_6: bool, s_10: ExitSurface, k_23: Widening) -> ComposedPair {
+    var inner_10: InnerTap;
+    var core_7: bool;
+    var s_11: ExitSurface;
+    var k_24: Widening;
+    var view_14: ExitView;
+    var cosTheta_47: f32;
+    var local_100: f32;
+    var energy_6: f32;
+    var first_3: InterfaceTap;
+    var second: InterfaceTap;
+
+    inner_10 = inner_9;
+    core_7 = core_6;
+    s_11 = s_10;
+    k_24 = k_23;
+    let _e35 = inner_10;
+    let _e36 = core_7;
+    let _e37 = s_11;
+    let _e38 = k_24;
+    let _e39 = seeExit(_e35, _e36, _e37, _e38);
+    view_14 = _e39;
+    let _e41 = view_14;
+    cosTheta_47 = max(_e41.cosTheta, 0f);
+    let _e46 = s_11;
+    if (abs((_e46.eta - 1f)) < INDEX_MATCHED) {
+        local_100 = 1f;
+    } else {
+        let _e53 = cosTheta_47;
+        let _e54 = view_14;
+        let _e56 = s_11;
+        let _e58 = engineFaceEnergy(_e53, _e54.alphaEnergy, _e56.eta);
+        local_100 = _e58.transmitted;
+    }
+    let _e61 = local_100;
+    energy_6 = _e61;
+    let _e64 = cosTheta_47;
+    let _e65 = view_14;
+    let _e67 = s_11;
+    let _e69 = engineFaceTap(0i, _e64, _e65.alphaShape, _e67.eta);
+    first_3 = _e69;
+    let _e72 = cosTheta_47;
+    let _e73 = view_14;
+    let _e75 = s_11;
+    let _e77 = engineFaceTap(1i, _e72, _e73.alphaShape, _e75.eta);
+    second = _e77;
+    let _e79 = inner_10;
+    let _e80 = view_14;
+    let _e81 = s_11;
+    let _e82 = first_3;
+    let _e84 = first_3;
+    let _e86 = first_3;
+    let _e88 = energy_6;
+    let _e89 = composeTap(_e79, _e80, _e81, _e82.angle, _e84.sigma, _e86.weight, _e88);
+    let _e90 = inner_10;
+    let _e91 = view_14;
+    let _e92 = s_11;
+    let _e93 = second;
+    let _e95 = second;
+    let _e97 = second;
+    let _e99 = energy_6;
+    let _e100 = composeTap(_e90, _e91, _e92, _e93.angle, _e95.sigma, _e97.weight, _e99);
+    let _e101 = view_14;
+    let _e102 = composedPair(_e89, _e100, _e101);
+    return _e102;
+}
+
+fn internallyReflected(face_10: GlassFace, body_2: ConvexBody, inner_11: InnerTap, entered: f32, e_8: ConvexExit, passed: f32) -> vec3<f32> {
+    var face_11: GlassFace;
+    var body_3: ConvexBody;
+    var inner_12: InnerTap;
+    var entered_1: f32;
+    var e_9: ConvexExit;
+    var passed_1: f32;
+    var cosTheta_48: f32;
+    var own: InterfaceEnergy;
+    var w_27: Wandering;
+    var reflected_2: vec3<f32>;
+    var q_1: f32;
+    var near_2: vec3<f32>;
+    var outward_3: vec3<f32>;
+    var spread_5: f32;
+    var way_5: vec3<f32>;
+    var local_101: vec3<f32>;
+    var direction_10: vec3<f32>;
+
+    face_11 = face_10;
+    body_3 = body_2;
+    inner_12 = inner_11;
+    entered_1 = entered;
+    e_9 = e_8;
+    passed_1 = passed;
+    let _e39 = inner_12;
+    let _e41 = e_9;
+    cosTheta_48 = max(dot(_e39.direction, _e41.surface.n), 0f);
+    let _e48 = cosTheta_48;
+    let _e49 = body_3;
+    let _e51 = e_9;
+    let _e54 = engineFaceEnergy(_e48, _e49.backAlpha, _e51.surface.eta);
+    own = _e54;
+    let _e58 = passed_1;
+    w_27.passes = _e58;
+    let _e60 = own;
+    let _e62 = own;
+    let _e65 = passed_1;
+    w_27.back = clamp(((_e60.transmitted + _e62.reflected) - _e65), 0f, 0.99f);
+    let _e70 = inner_12;
+    let _e73 = cosTheta_48;
+    let _e75 = e_9;
+    reflected_2 = (_e70.direction - ((2f * _e73) * _e75.surface.n));
+    let _e81 = body_3;
+    let _e83 = body_3;
+    q_1 = clamp((_e81.thickness * _e83.curvature), 0f, 2f);
+    let _e90 = face_11;
+    let _e92 = e_9;
+    let _e96 = cosTheta_48;
+    let _e98 = reflected_2;
+    let _e102 = q_1;
+    near_2 = normalize(mix(_e90.n, (_e92.surface.n + ((2f * _e96) * _e98)), vec3((0.5f * _e102))));
+    let _e108 = reflected_2;
+    let _e110 = near_2;
+    let _e112 = e_9;
+    let _e115 = refractAbout(-(_e108), -(_e110), _e112.surface.eta);
+    outward_3 = _e115;
+    let _e117 = inner_12;
+    let _e119 = inner_12;
+    let _e123 = body_3;
+    let _e126 = body_3;
+    let _e131 = body_3;
+    spread_5 = (sqrt(((_e117.sigma * _e119.sigma) + ((4f * _e123.backAlpha) * _e126.backAlpha))) * _e131.ior);
+    let _e135 = e_9;
+    let _e138 = body_3;
+    way_5 = exp((-(_e135.path) * _e138.attenuation));
+    let _e143 = outward_3;
+    let _e144 = outward_3;
+    if (dot(_e143, _e144) > 0f) {
+        let _e148 = outward_3;
+        local_101 = _e148;
+    } else {
+        let _e149 = near_2;
+        local_101 = _e149;
+    }
+    let _e151 = local_101;
+    direction_10 = _e151;
+    let _e153 = entered_1;
+    let _e154 = w_27;
+    let _e157 = way_5;
+    let _e159 = w_27;
+    let _e160 = way_5;
+    let _e161 = wanderingEscapes(_e159, _e160);
+    let _e163 = direction_10;
+    let _e164 = spread_5;
+    let _e167 = engineEnvironment(_e163, min(_e164, 0.606f));
+    return ((((_e153 * _e154.back) * _e157) * _e161) * _e167);
+}
+
+fn refractConvex(face_12: GlassFace, body_4: ConvexBody, view_15: SceneView, k_25: Widening) -> vec3<f32> {
+    var face_13: GlassFace;
+    var body_5: ConvexBody;
+    var view_16: SceneView;
+    var k_26: Widening;
+    var entered_2: f32;
+    var core_8: InnerTap;
+    var tail_5: InnerTap;
+    var coreExit: ConvexExit;
+    var tailExit: ConvexExit;
+    var first_4: ComposedPair;
+    var pair_3: ComposedPair;
+    var bent: f32;
+    var origin_10: vec3<f32>;
+    var met_6: SceneMeeting;
+    var sum_12: vec3<f32>;
+    var local_102: f32;
+    var passed_2: f32;
+
+    face_13 = face_12;
+    body_5 = body_4;
+    view_16 = view_15;
+    k_26 = k_25;
+    let _e35 = face_13;
+    let _e37 = face_13;
+    let _e40 = face_13;
+    let _e42 = body_5;
+    let _e44 = engineFaceEnergy(dot(_e35.wo, _e37.n), _e40.alpha, _e42.ior);
+    entered_2 = _e44.transmitted;
+    let _e48 = face_13;
+    let _e49 = body_5;
+    let _e51 = entered_2;
+    let _e52 = engineEnteringTap(0i, _e48, _e49.ior, _e51);
+    core_8 = _e52;
+    let _e55 = face_13;
+    let _e56 = body_5;
+    let _e58 = entered_2;
+    let _e59 = engineEnteringTap(1i, _e55, _e56.ior, _e58);
+    tail_5 = _e59;
+    let _e61 = face_13;
+    let _e63 = core_8;
+    let _e65 = body_5;
+    let _e66 = convexExit(_e61.n, _e63.direction, _e65);
+    coreExit = _e66;
+    let _e68 = face_13;
+    let _e70 = tail_5;
+    let _e72 = body_5;
+    let _e73 = convexExit(_e68.n, _e70.direction, _e72);
+    tailExit = _e73;
+    let _e75 = core_8;
+    let _e77 = coreExit;
+    let _e79 = k_26;
+    let _e80 = engineLeavingPair(_e75, true, _e77.surface, _e79);
+    first_4 = _e80;
+    let _e82 = first_4;
+    let _e83 = tail_5;
+    let _e85 = tailExit;
+    let _e87 = k_26;
+    let _e88 = engineLeavingPair(_e83, false, _e85.surface, _e87);
+    let _e89 = mergePairs(_e82, _e88);
+    pair_3 = _e89;
+    let _e94 = body_5;
+    bent = (2f * (1f - (1f / _e94.ior)));
+    let _e102 = pair_3;
+    let _e105 = pair_3;
+    let _e109 = bent;
+    let _e110 = bent;
+    let _e112 = face_13;
+    pair_3.core.sigma = sqrt(((_e102.core.sigma * _e105.core.sigma) + ((_e109 * _e110) * _e112.turn)));
+    let _e117 = face_13;
+    let _e119 = coreExit;
+    let _e121 = core_8;
+    origin_10 = (_e117.position + (_e119.path * _e121.direction));
+    let _e126 = origin_10;
+    let _e127 = pair_3;
+    let _e130 = view_16;
+    let _e131 = sceneMeeting(_e126, _e127.core.direction, _e130);
+    met_6 = _e131;
+    let _e133 = pair_3;
+    let _e136 = pair_3;
+    let _e138 = origin_10;
+    let _e139 = coreExit;
+    let _e141 = met_6;
+    let _e142 = view_16;
+    let _e143 = lobeRadiance(_e136.core, _e138, _e139.path, _e141, _e142);
+    sum_12 = (_e133.core.weight * _e143);
+    let _e146 = pair_3;
+    if (_e146.rest.weight > 0f) {
+        let _e151 = sum_12;
+        let _e152 = pair_3;
+        let _e155 = pair_3;
+        let _e157 = origin_10;
+        let _e158 = coreExit;
+        let _e160 = met_6;
+        let _e161 = view_16;
+        let _e162 = lobeRadiance(_e155.rest, _e157, _e158.path, _e160, _e161);
+        sum_12 = (_e151 + (_e152.rest.weight * _e162));
+    }
+    let _e165 = core_8;
+    if (_e165.weight > 0f) {
+        let _e169 = first_4;
+        let _e172 = first_4;
+        let _e176 = core_8;
+        local_102 = ((_e169.core.weight + _e172.rest.weight) / _e176.weight);
+    } else {
+        local_102 = 0f;
+    }
+    let _e181 = local_102;
+    passed_2 = _e181;
+    let _e183 = sum_12;
+    let _e184 = coreExit;
+    let _e187 = body_5;
+    let _e192 = face_13;
+    let _e193 = body_5;
+    let _e194 = core_8;
+    let _e195 = entered_2;
+    let _e196 = coreExit;
+    let _e197 = passed_2;
+    let _e198 = internallyReflected(_e192, _e193, _e194, _e195, _e196, _e197);
+    return ((_e183 * exp((-(_e184.path) * _e187.attenuation))) + _e198);
+}
+
+fn signNotZero(x_25: f32) -> f32 {
+    var x_26: f32;
+    var local_103: f32;
+
+    x_26 = x_25;
+    let _e29 = x_26;
+    if (_e29 < 0f) {
+        local_103 = -1f;
+    } else {
+        local_103 = 1f;
+    }
+    let _e36 = local_103;
+    return _e36;
+}
+
+fn octEncode(n_35: vec3<f32>) -> vec2<f32> {
+    var n_36: vec3<f32>;
+    var s_12: f32;
+    var p_6: vec2<f32>;
+
+    n_36 = n_35;
+    let _e30 = n_36;
+    let _e33 = n_36;
+    let _e37 = n_36;
+    s_12 = (1f / ((abs(_e30.x) + abs(_e33.y)) + abs(_e37.z)));
+    let _e43 = n_36;
+    let _e45 = s_12;
+    let _e47 = n_36;
+    let _e49 = s_12;
+    p_6 = vec2<f32>((_e43.x * _e45), (_e47.y * _e49));
+    let _e53 = n_36;
+    if (_e53.z >= 0f) {
+        let _e57 = p_6;
+        return _e57;
+    }
+    let _e59 = p_6;
+    let _e63 = p_6;
+    let _e65 = signNotZero(_e63.x);
+    let _e68 = p_6;
+    let _e72 = p_6;
+    let _e74 = signNotZero(_e72.y);
+    return vec2<f32>(((1f - abs(_e59.y)) * _e65), ((1f - abs(_e68.x)) * _e74));
+}
+
+fn octDecode(p_7: vec2<f32>) -> vec3<f32> {
+    var p_8: vec2<f32>;
+    var z_8: f32;
+    var fold: f32;
+
+    p_8 = p_7;
+    let _e30 = p_8;
+    let _e34 = p_8;
+    z_8 = ((1f - abs(_e30.x)) - abs(_e34.y));
+    let _e39 = z_8;
+    fold = max(-(_e39), 0f);
+    let _e44 = p_8;
+    let _e46 = fold;
+    let _e47 = p_8;
+    let _e49 = signNotZero(_e47.x);
+    let _e52 = p_8;
+    let _e54 = fold;
+    let _e55 = p_8;
+    let _e57 = signNotZero(_e55.y);
+    let _e60 = z_8;
+    return normalize(vec3<f32>((_e44.x - (_e46 * _e49)), (_e52.y - (_e54 * _e57)), _e60));
+}
+
+fn interiorView(clipFromWorld: mat4x4<f32>, worldFromClip: mat4x4<f32>, size_22: vec2<f32>) -> InteriorView {
+    var clipFromWorld_1: mat4x4<f32>;
+    var worldFromClip_1: mat4x4<f32>;
+    var size_23: vec2<f32>;
+    var view_17: InteriorView;
+    var right: vec3<f32>;
+    var depth_2: vec3<f32>;
+    var w_28: vec3<f32>;
+    var perspective: bool;
+    var local_104: vec3<f32>;
+    var v_25: vec3<f32>;
+
+    clipFromWorld_1 = clipFromWorld;
+    worldFromClip_1 = worldFromClip;
+    size_23 = size_22;
+    let _e35 = clipFromWorld_1;
+    view_17.clipFromWorld = _e35;
+    let _e37 = worldFromClip_1;
+    view_17.worldFromClip = _e37;
+    let _e39 = size_23;
+    view_17.size = _e39;
+    let _e44 = clipFromWorld_1[0][0];
+    let _e49 = clipFromWorld_1[1][0];
+    let _e54 = clipFromWorld_1[2][0];
+    right = vec3<f32>(_e44, _e49, _e54);
+    let _e61 = clipFromWorld_1[0][2];
+    let _e66 = clipFromWorld_1[1][2];
+    let _e71 = clipFromWorld_1[2][2];
+    depth_2 = vec3<f32>(_e61, _e66, _e71);
+    let _e78 = clipFromWorld_1[0][3];
+    let _e83 = clipFromWorld_1[1][3];
+    let _e88 = clipFromWorld_1[2][3];
+    w_28 = vec3<f32>(_e78, _e83, _e88);
+    let _e93 = size_23;
+    let _e95 = right;
+    view_17.texelWidth = (2f / (_e93.x * length(_e95)));
+    let _e99 = w_28;
+    let _e100 = w_28;
+    perspective = (dot(_e99, _e100) > 0f);
+    let _e105 = perspective;
+    if _e105 {
+        let _e106 = w_28;
+        local_104 = normalize(_e106);
+    } else {
+        let _e108 = depth_2;
+        local_104 = -(normalize(_e108));
+    }
+    let _e112 = local_104;
+    v_25 = _e112;
+    let _e115 = view_17;
+    let _e117 = depth_2;
+    let _e118 = v_25;
+    let _e121 = w_28;
+    let _e122 = v_25;
+    view_17.texelDepth = (_e115.texelWidth * vec2<f32>(-(dot(_e117, _e118)), dot(_e121, _e122)));
+    let _e126 = view_17;
+    return _e126;
+}
+
+fn interiorTexelDepth(view_18: InteriorView, depth_3: f32) -> f32 {
+    var view_19: InteriorView;
+    var depth_4: f32;
+
+    view_19 = view_18;
+    depth_4 = depth_3;
+    let _e31 = view_19;
+    let _e34 = view_19;
+    let _e37 = depth_4;
+    return (_e31.texelDepth.x + (_e34.texelDepth.y * _e37));
+}
+
+fn interiorTexelWidth(view_20: InteriorView, w_29: f32) -> f32 {
+    var view_21: InteriorView;
+    var w_30: f32;
+
+    view_21 = view_20;
+    w_30 = w_29;
+    let _e31 = view_21;
+    let _e33 = w_30;
+    return (_e31.texelWidth * _e33);
+}
+
+fn interiorWorld(view_22: InteriorView, at_14: vec2<f32>, depth_5: f32) -> vec3<f32> {
+    var view_23: InteriorView;
+    var at_15: vec2<f32>;
+    var depth_6: f32;
+    var clip_3: vec2<f32>;
+    var p_9: vec4<f32>;
+
+    view_23 = view_22;
+    at_15 = at_14;
+    depth_6 = depth_5;
+    let _e34 = at_15;
+    let _e37 = view_23;
+    let _e45 = at_15;
+    let _e48 = view_23;
+    clip_3 = vec2<f32>((((2f * _e34.x) / _e37.size.x) - 1f), (1f - ((2f * _e45.y) / _e48.size.y)));
+    let _e55 = view_23;
+    let _e57 = clip_3;
+    let _e59 = clip_3;
+    let _e61 = depth_6;
+    p_9 = (_e55.worldFromClip * vec4<f32>(_e57.x, _e59.y, _e61, 1f));
+    let _e66 = p_9;
+    let _e68 = p_9;
+    let _e70 = p_9;
+    let _e73 = p_9;
+    return (vec3<f32>(_e66.x, _e68.y, _e70.z) / vec3(_e73.w));
+}
+
+fn exitRay(view_24: InteriorView, origin_11: vec3<f32>, direction_11: vec3<f32>) -> ExitRay {
+    var view_25: InteriorView;
+    var origin_12: vec3<f32>;
+    var direction_12: vec3<f32>;
+    var o_2: vec4<f32>;
+    var d_17: vec4<f32>;
+    var h_15: vec2<f32>;
+    var ray: ExitRay;
+
+    view_25 = view_24;
+    origin_12 = origin_11;
+    direction_12 = direction_11;
+    let _e36 = view_25;
+    let _e38 = origin_12;
+    o_2 = (_e36.clipFromWorld * vec4<f32>(_e38.x, _e38.y, _e38.z, 1f));
+    let _e46 = view_25;
+    let _e48 = direction_12;
+    d_17 = (_e46.clipFromWorld * vec4<f32>(_e48.x, _e48.y, _e48.z, 0f));
+    let _e57 = view_25;
+    h_15 = (0.5f * _e57.size);
+    let _e63 = h_15;
+    let _e65 = o_2;
+    let _e67 = o_2;
+    let _e71 = h_15;
+    let _e73 = o_2;
+    let _e75 = o_2;
+    let _e79 = o_2;
+    let _e81 = o_2;
+    ray.origin = vec4<f32>((_e63.x * (_e65.w + _e67.x)), (_e71.y * (_e73.w - _e75.y)), _e79.z, _e81.w);
+    let _e85 = h_15;
+    let _e87 = d_17;
+    let _e89 = d_17;
+    let _e93 = h_15;
+    let _e95 = d_17;
+    let _e97 = d_17;
+    let _e101 = d_17;
+    let _e103 = d_17;
+    ray.direction = vec4<f32>((_e85.x * (_e87.w + _e89.x)), (_e93.y * (_e95.w - _e97.y)), _e101.z, _e103.w);
+    let _e106 = ray;
+    return _e106;
+}
+
+fn exitAt(ray_1: ExitRay, t_24: f32) -> vec4<f32> {
+    var ray_2: ExitRay;
+    var t_25: f32;
+    var p_10: vec4<f32>;
+    var s_13: f32;
+
+    ray_2 = ray_1;
+    t_25 = t_24;
+    let _e34 = ray_2;
+    let _e36 = t_25;
+    let _e37 = ray_2;
+    p_10 = (_e34.origin + (_e36 * _e37.direction));
+    let _e43 = p_10;
+    s_13 = (1f / _e43.w);
+    let _e47 = p_10;
+    let _e49 = s_13;
+    let _e51 = p_10;
+    let _e53 = s_13;
+    let _e55 = p_10;
+    let _e57 = s_13;
+    let _e59 = p_10;
+    return vec4<f32>((_e47.x * _e49), (_e51.y * _e53), (_e55.z * _e57), _e59.w);
+}
+
+fn exitOnPicture(view_26: InteriorView, at_16: vec4<f32>) -> bool {
+    var view_27: InteriorView;
+    var at_17: vec4<f32>;
+
+    view_27 = view_26;
+    at_17 = at_16;
+    let _e34 = at_17;
+    let _e38 = at_17;
+    let _e43 = at_17;
+    let _e48 = at_17;
+    let _e50 = view_27;
+    let _e55 = at_17;
+    let _e57 = view_27;
+    return (((((_e34.w > 0f) && (_e38.x >= 0f)) && (_e43.y >= 0f)) && (_e48.x < _e50.size.x)) && (_e55.y < _e57.size.y));
+}
+
+fn exitStretches(depths: vec4<f32>) -> vec4<f32> {
+    var depths_1: vec4<f32>;
+
+    depths_1 = depths;
+    let _e32 = depths_1;
+    let _e34 = depths_1;
+    if (_e32.x < _e34.y) {
+        let _e38 = depths_1;
+        let _e40 = depths_1;
+        let _e42 = depths_1;
+        return vec4<f32>(2f, _e38.y, _e40.x, _e42.w);
+    }
+    let _e45 = depths_1;
+    let _e47 = depths_1;
+    let _e50 = depths_1;
+    if ((_e45.z > _e47.y) && (_e50.w > 0f)) {
+        let _e55 = depths_1;
+        let _e57 = depths_1;
+        return vec4<f32>(_e55.x, _e57.w, 0f, 0f);
+    }
+    let _e62 = depths_1;
+    return _e62;
+}
+
+fn exitInside(stretches: vec4<f32>, depth_7: f32) -> vec2<f32> {
+    var stretches_1: vec4<f32>;
+    var depth_8: f32;
+    var inside_5: vec2<f32> = vec2(-2f);
+
+    stretches_1 = stretches;
+    depth_8 = depth_7;
+    let _e37 = stretches_1;
+    if (_e37.y > 0f) {
+        let _e42 = stretches_1;
+        let _e44 = depth_8;
+        let _e46 = depth_8;
+        let _e47 = stretches_1;
+        inside_5.x = min((_e42.x - _e44), (_e46 - _e47.y));
+    }
+    let _e51 = stretches_1;
+    if (_e51.w > 0f) {
+        let _e56 = stretches_1;
+        let _e58 = depth_8;
+        let _e60 = depth_8;
+        let _e61 = stretches_1;
+        inside_5.y = min((_e56.z - _e58), (_e60 - _e61.w));
+    }
+    let _e65 = inside_5;
+    return _e65;
+}
+
+fn exitLearn(way_6: ExitWay, t_26: f32, w_31: f32, here: f32, margin: f32) -> ExitWay {
+    var way_7: ExitWay;
+    var t_27: f32;
+    var w_32: f32;
+    var here_1: f32;
+    var margin_1: f32;
+    var local_105: f32;
+
+    way_7 = way_6;
+    t_27 = t_26;
+    w_32 = w_31;
+    here_1 = here;
+    margin_1 = margin;
+    let _e40 = here_1;
+    let _e41 = margin_1;
+    if (_e40 > _e41) {
+        {
+            let _e44 = t_27;
+            way_7.tInside = _e44;
+            let _e46 = here_1;
+            let _e47 = w_32;
+            way_7.inside = (_e46 * _e47);
+        }
+    } else {
+        let _e49 = here_1;
+        let _e50 = margin_1;
+        if (_e49 < -(_e50)) {
+            {
+                let _e54 = t_27;
+                way_7.tOutside = _e54;
+                let _e56 = here_1;
+                if (_e56 > EXIT_NOWHERE) {
+                    let _e58 = here_1;
+                    let _e59 = w_32;
+                    local_105 = (_e58 * _e59);
+                } else {
+                    local_105 = EXIT_NOWHERE;
+                }
+                let _e62 = local_105;
+                way_7.outside = _e62;
+            }
+        }
+    }
+    let _e63 = way_7;
+    return _e63;
+}
+
+fn exitSecant(way_8: ExitWay) -> f32 {
+    var way_9: ExitWay;
+    var local_106: f32;
+    var share_4: f32;
+
+    way_9 = way_8;
+    let _e32 = way_9;
+    if (_e32.outside > EXIT_NOWHERE) {
+        let _e35 = way_9;
+        let _e37 = way_9;
+        let _e39 = way_9;
+        local_106 = clamp((_e35.inside / (_e37.inside - _e39.outside)), 0.05f, 0.95f);
+    } else {
+        local_106 = 0.5f;
+    }
+    let _e48 = local_106;
+    share_4 = _e48;
+    let _e50 = way_9;
+    let _e52 = way_9;
+    let _e54 = share_4;
+    return mix(_e50.tInside, _e52.tOutside, _e54);
+}
+
+fn exitSpacing(k_27: i32) -> f32 {
+    var k_28: i32;
+    var x_27: f32;
+    var x3_: f32;
+
+    k_28 = k_27;
+    let _e33 = k_28;
+    x_27 = (0.25f * f32(_e33));
+    let _e37 = x_27;
+    let _e38 = x_27;
+    let _e40 = x_27;
+    x3_ = ((_e37 * _e38) * _e40);
+    let _e43 = x_27;
+    let _e44 = x3_;
+    let _e48 = x3_;
+    let _e49 = x3_;
+    return ((_e43 + (_e44 / 3f)) + ((_e48 * _e49) / 20f));
+}
+
+fn exitPlane(origin_13: vec3<f32>, direction_13: vec3<f32>, point: vec3<f32>, n_37: vec3<f32>) -> f32 {
+    var origin_14: vec3<f32>;
+    var direction_14: vec3<f32>;
+    var point_1: vec3<f32>;
+    var n_38: vec3<f32>;
+
+    origin_14 = origin_13;
+    direction_14 = direction_13;
+    point_1 = point;
+    n_38 = n_37;
+    let _e38 = point_1;
+    let _e39 = origin_14;
+    let _e41 = n_38;
+    let _e43 = direction_14;
+    let _e44 = n_38;
+    return (dot((_e38 - _e39), _e41) / dot(_e43, _e44));
+}
+
+fn exitSame(point_2: vec3<f32>, n_39: vec3<f32>, otherPoint: vec3<f32>, otherN: vec3<f32>) -> bool {
+    var point_3: vec3<f32>;
+    var n_40: vec3<f32>;
+    var otherPoint_1: vec3<f32>;
+    var otherN_1: vec3<f32>;
+    var chord: vec3<f32>;
+
+    point_3 = point_2;
+    n_40 = n_39;
+    otherPoint_1 = otherPoint;
+    otherN_1 = otherN;
+    let _e38 = otherPoint_1;
+    let _e39 = point_3;
+    chord = (_e38 - _e39);
+    let _e42 = n_40;
+    let _e43 = otherN_1;
+    let _e47 = chord;
+    let _e48 = n_40;
+    let _e52 = chord;
+    return ((dot(_e42, _e43) > 0.7f) && (abs(dot(_e47, _e48)) <= (0.39f * length(_e52))));
+}
+
+fn exitCurvature(n_41: vec3<f32>, direction_15: vec3<f32>, stepX: vec3<f32>, turnX: vec3<f32>, stepY: vec3<f32>, turnY: vec3<f32>) -> vec2<f32> {
+    var n_42: vec3<f32>;
+    var direction_16: vec3<f32>;
+    var stepX_1: vec3<f32>;
+    var turnX_1: vec3<f32>;
+    var stepY_1: vec3<f32>;
+    var turnY_1: vec3<f32>;
+    var area_1: f32;
+    var turn_2: f32;
+    var along_12: vec3<f32>;
+    var t1_2: vec3<f32>;
+    var t2_: vec3<f32>;
+    var turn1_: vec3<f32>;
+    var turn2_: vec3<f32>;
+    var twist: f32;
+    var curvature_3: vec2<f32>;
+    var local_107: vec2<f32>;
+
+    n_42 = n_41;
+    direction_16 = direction_15;
+    stepX_1 = stepX;
+    turnX_1 = turnX;
+    stepY_1 = stepY;
+    turnY_1 = turnY;
+    let _e42 = stepX_1;
+    let _e43 = stepY_1;
+    let _e45 = n_42;
+    area_1 = dot(cross(_e42, _e43), _e45);
+    let _e48 = turnX_1;
+    let _e49 = turnX_1;
+    let _e51 = turnY_1;
+    let _e52 = turnY_1;
+    turn_2 = max(dot(_e48, _e49), dot(_e51, _e52));
+    let _e56 = area_1;
+    let _e59 = turn_2;
+    if ((_e56 == 0f) || (_e59 > 0.0625f)) {
+        return vec2(0f);
+    }
+    let _e65 = direction_16;
+    let _e66 = direction_16;
+    let _e67 = n_42;
+    let _e69 = n_42;
+    along_12 = (_e65 - (dot(_e66, _e67) * _e69));
+    let _e73 = along_12;
+    let _e74 = along_12;
+    if (dot(_e73, _e74) < 0.000000000001f) {
+        let _e78 = stepX_1;
+        let _e79 = stepX_1;
+        let _e80 = n_42;
+        let _e82 = n_42;
+        along_12 = (_e78 - (dot(_e79, _e80) * _e82));
+    }
+    let _e85 = along_12;
+    t1_2 = normalize(_e85);
+    let _e88 = n_42;
+    let _e89 = t1_2;
+    t2_ = cross(_e88, _e89);
+    let _e92 = stepY_1;
+    let _e93 = t2_;
+    let _e95 = turnX_1;
+    let _e97 = stepX_1;
+    let _e98 = t2_;
+    let _e100 = turnY_1;
+    let _e103 = area_1;
+    turn1_ = (((dot(_e92, _e93) * _e95) - (dot(_e97, _e98) * _e100)) / vec3(_e103));
+    let _e107 = stepX_1;
+    let _e108 = t1_2;
+    let _e110 = turnY_1;
+    let _e112 = stepY_1;
+    let _e113 = t1_2;
+    let _e115 = turnX_1;
+    let _e118 = area_1;
+    turn2_ = (((dot(_e107, _e108) * _e110) - (dot(_e112, _e113) * _e115)) / vec3(_e118));
+    let _e122 = turn1_;
+    let _e123 = t2_;
+    let _e125 = turn2_;
+    let _e126 = t1_2;
+    twist = abs((dot(_e122, _e123) - dot(_e125, _e126)));
+    let _e131 = turn1_;
+    let _e132 = t1_2;
+    let _e134 = turn2_;
+    let _e135 = t2_;
+    curvature_3 = vec2<f32>(dot(_e131, _e132), dot(_e134, _e135));
+    let _e139 = twist;
+    let _e140 = curvature_3;
+    let _e143 = curvature_3;
+    if (_e139 > (abs(_e140.x) + abs(_e143.y))) {
+        local_107 = vec2(0f);
+    } else {
+        let _e150 = curvature_3;
+        local_107 = _e150;
+    }
+    let _e152 = local_107;
+    return _e152;
+}
+
+fn thinWallCoordinate(tap_14: i32, taps_8: i32, cosTheta_49: f32, alpha_94: f32, eta_65: f32) -> vec3<f32> {
+    var tap_15: i32;
+    var taps_9: i32;
+    var cosTheta_50: f32;
+    var alpha_95: f32;
+    var eta_66: f32;
+
+    tap_15 = tap_14;
+    taps_9 = taps_8;
+    cosTheta_50 = cosTheta_49;
+    alpha_95 = alpha_94;
+    eta_66 = eta_65;
+    let _e43 = cosTheta_50;
+    let _e47 = tableCoordinate(sqrt(max(_e43, 0f)), THIN_WALL_COSINES);
+    let _e48 = alpha_95;
+    let _e52 = tap_15;
+    let _e53 = taps_9;
+    let _e54 = blockCoordinate(sqrt(max(_e48, 0f)), THIN_WALL_ALPHAS, _e52, _e53);
+    let _e55 = eta_66;
+    let _e56 = interfaceEtaAxis(_e55);
+    let _e57 = tableCoordinate(_e56, THIN_WALL_SLICES);
+    return vec3<f32>(_e47, _e54, _e57);
+}
+
+fn thinWallWidth(cosTheta_51: f32, alpha_96: f32, eta_67: f32) -> f32 {
+    var cosTheta_52: f32;
+    var alpha_97: f32;
+    var eta_68: f32;
+    var c_27: f32;
+    var local_108: f32;
+    var n_43: f32;
+    var across_10: f32;
+    var width_5: f32;
+
+    cosTheta_52 = cosTheta_51;
+    alpha_97 = alpha_96;
+    eta_68 = eta_67;
+    let _e39 = cosTheta_52;
+    c_27 = clamp(_e39, 0f, 1f);
+    let _e44 = eta_68;
+    if (_e44 < 1f) {
+        let _e48 = eta_68;
+        local_108 = (1f / max(_e48, 0.01f));
+    } else {
+        let _e52 = eta_68;
+        local_108 = _e52;
+    }
+    let _e54 = local_108;
+    n_43 = _e54;
+    let _e56 = n_43;
+    let _e59 = n_43;
+    let _e63 = c_27;
+    let _e64 = n_43;
+    let _e65 = fresnelG(_e63, _e64);
+    let _e66 = c_27;
+    across_10 = (((_e56 - 1f) * (_e59 + 1f)) / max((_e65 + _e66), 0.000000000000000000000000000001f));
+    let _e73 = alpha_97;
+    let _e75 = across_10;
+    let _e77 = c_27;
+    let _e78 = c_27;
+    let _e80 = alpha_97;
+    width_5 = (((1.4142135f * _e73) * _e75) * inverseSqrt(sqrt(((_e77 * _e78) + max(_e80, 0.000000000001f)))));
+    let _e88 = width_5;
+    let _e91 = width_5;
+    return (_e88 / (1f + (2f * _e91)));
+}
+
+fn thinWallEnergy(texel_9: vec4<f32>) -> ThinWallEnergy {
+    var texel_10: vec4<f32>;
+    var e_10: ThinWallEnergy;
+
+    texel_10 = texel_9;
+    let _e37 = texel_10;
+    e_10.transmitted = _e37.x;
+    let _e40 = texel_10;
+    e_10.reflectedFirst = _e40.y;
+    let _e43 = texel_10;
+    e_10.reflectedLater = _e43.z;
+    let _e45 = e_10;
+    return _e45;
+}
+
+fn thinWallLaterSpread(eta_69: f32) -> f32 {
+    var eta_70: f32;
+    var local_109: f32;
+    var n_44: f32;
+
+    eta_70 = eta_69;
+    let _e35 = eta_70;
+    if (_e35 < 1f) {
+        let _e39 = eta_70;
+        local_109 = (1f / max(_e39, 0.01f));
+    } else {
+        let _e43 = eta_70;
+        local_109 = _e43;
+    }
+    let _e45 = local_109;
+    n_44 = _e45;
+    let _e47 = n_44;
+    let _e48 = n_44;
+    let _e51 = n_44;
+    let _e55 = n_44;
+    return sqrt(((_e47 * _e48) + ((0.5f * (_e51 - 1f)) * (_e55 - 1f))));
+}
+
+fn thinWallTap(texel_11: vec4<f32>, cosTheta_53: f32, alpha_98: f32, eta_71: f32) -> InterfaceTap {
+    var texel_12: vec4<f32>;
+    var cosTheta_54: f32;
+    var alpha_99: f32;
+    var eta_72: f32;
+    var c_28: f32;
+    var width_6: f32;
+    var tap_16: InterfaceTap;
+
+    texel_12 = texel_11;
+    cosTheta_54 = cosTheta_53;
+    alpha_99 = alpha_98;
+    eta_72 = eta_71;
+    let _e41 = cosTheta_54;
+    c_28 = clamp(_e41, 0f, 1f);
+    let _e46 = c_28;
+    let _e47 = alpha_99;
+    let _e51 = eta_72;
+    let _e52 = thinWallWidth(_e46, clamp(_e47, 0f, 1f), _e51);
+    width_6 = _e52;
+    let _e57 = c_28;
+    let _e60 = c_28;
+    let _e64 = c_28;
+    let _e66 = texel_12;
+    let _e68 = width_6;
+    tap_16.angle = (atan2(sqrt(((1f - _e57) * (1f + _e60))), _e64) + (_e66.x * _e68));
+    let _e72 = texel_12;
+    let _e74 = width_6;
+    tap_16.sigma = (_e72.y * _e74);
+    let _e77 = texel_12;
+    tap_16.weight = _e77.z;
+    let _e79 = tap_16;
+    return _e79;
 }

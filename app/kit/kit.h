@@ -1,0 +1,19 @@
+// Folders with which rough refraction runs in other people's programs.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace gg::kit {
+
+enum class Target { three };
+
+std::optional<Target> target_named(const std::string& name);
+
+// Writes the folder: the target's own files from assets/kit, the flattened shaders, and the tables as half floats with a description
+// of their axes. `directory` is made if it is not there; files of the same name are replaced. Throws Error(output).
+void write(Target target, const std::filesystem::path& home,
+           const std::filesystem::path& directory);
+
+} // namespace gg::kit

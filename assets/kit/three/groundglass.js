@@ -1,0 +1,406 @@
+// Rough glass for three.js: GroundglassMaterial in place of MeshPhysicalMaterial, Groundglass.render() in place of renderer.render().
+// README.md beside this file says how, what it costs and how wrong it is.
+import * as THREE from 'three';
+import { convexRefraction } from './shaders.js';
+
+let drawing = false; // while a frame is drawn three must not see our materials as its own transmissive ones
+
+const tables = {
+  ggEnergy: { value: null }, ggLobes: { value: null }, ggReflection: { value: null }, ggPyramid: { value: null }, ggDepth: { value: null },
+  ggEnvironmentEven: { value: null }, ggEnvironmentOdd: { value: null }, ggTiles: { value: [] }, ggAtlas: { value: new THREE.Vector4() },
+  ggClipFromWorld: { value: new THREE.Matrix4() }, ggPicture: { value: new THREE.Vector4() }, ggRange: { value: new THREE.Vector4() },
+};
+
+const fragmentDeclarations = /* glsl */`
+uniform highp sampler3D ggEnergy, ggLobes, ggReflection;
+uniform sampler2D ggPyramid, ggDepth, ggEnvironmentEven, ggEnvironmentOdd;
+uniform vec3 ggTiles[LEVELS]; // texels along an edge, first row, sigma
+uniform vec4 ggAtlas; // width, heights of both, intensity
+uniform vec4 ggPicture; // width, height, pixels per unit of tangent, last level
+uniform vec4 ggRange; // near, far, reach, 0
+uniform mat4 ggClipFromWorld;
+uniform float ggTransmission, ggThickness, ggCurvature, ggIor, ggBackAlpha, ggBeckmann;
+uniform vec3 ggAttenuation;
+uniform sampler2D ggThicknessMap, ggTransmissionMap;
+varying vec3 ggPosition;
+varying vec3 ggScale;
+${convexRefraction}
+vec4 gg_engineInterfaceEnergy(vec3 at) { return textureLod(ggEnergy, at, 0.0); }
+vec4 gg_engineInterfaceLobe(vec3 at) { return textureLod(ggLobes, at, 0.0); }
+vec4 gg_engineReflectionLobe(vec3 at) { return textureLod(ggReflection, at, 0.0); }
+vec4 gg_engineSceneColor(vec2 at, float variance) {
+  vec2 uv = vec2(at.x, ggPicture.y - at.y) / ggPicture.xy;
+  return vec4(textureLod(ggPyramid, uv, gg_pyramidLevel(variance, ggPicture.w)).rgb, 1.0);
+}
+float gg_engineSceneDepth(vec2 at) {
+  vec2 uv = vec2(at.x, ggPicture.y - at.y) / ggPicture.xy;
+  float z = textureLod(ggDepth, clamp(uv, 0.5 / ggPicture.xy, 1.0 - 0.5 / ggPicture.xy), 0.0).x;
+  return z >= 1.0 ? 1e30 : ggRange.x * ggRange.y / (ggRange.y - z * (ggRange.y - ggRange.x));
+}
+// Octahedral tiles, each with a border of one texel.
+vec3 ggTile(sampler2D atlas, float height, vec3 tile, vec2 p) {
+  vec2 texel = vec2(1.0, tile.y + 1.0) + (0.5 + 0.5 * p) * tile.x;
+  return textureLod(atlas, texel / vec2(ggAtlas.x, height), 0.0).rgb;
+}
+vec3 ggLevel(int level, vec2 p) {
+  return level % 2 == 0 ? ggTile(ggEnvironmentEven, ggAtlas.y, ggTiles[level], p) : ggTile(ggEnvironmentOdd, ggAtlas.z, ggTiles[level], p);
+}
+vec3 gg_engineEnvironment(vec3 direction, float sigma) {
+  if (ggAtlas.w == 0.0) return vec3(0.0);
+  vec3 d = direction / (abs(direction.x) + abs(direction.y) + abs(direction.z));
+  vec2 p = d.y >= 0.0 ? d.xz : (1.0 - abs(d.zx)) * vec2(d.x < 0.0 ? -1.0 : 1.0, d.z < 0.0 ? -1.0 : 1.0);
+  // Levels are sqrt(2) apart in sigma from the first blurred one on; between two the mix keeps the variance.
+  int below = clamp(int(floor(1.0 + 2.0 * log2(max(sigma, 1e-6) / ggTiles[1].z))), 0, LEVELS - 2);
+  float low = ggTiles[below].z * ggTiles[below].z, high = ggTiles[below + 1].z * ggTiles[below + 1].z;
+  float share = clamp((sigma * sigma - low) / (high - low), 0.0, 1.0);
+  return ggAtlas.w * mix(ggLevel(below, p), ggLevel(below + 1, p), share);
+}
+`;
+
+const fragmentBody = /* glsl */`
+  if (ggTransmission > 0.0) {
+    gg_GlassFace ggFace;
+    ggFace.position = ggPosition;
+    ggFace.wo = normalize(cameraPosition - ggPosition);
+    ggFace.n = normalize((vec4(normal, 0.0) * viewMatrix).xyz);
+    ggFace.alpha = material.roughness * material.roughness;
+    // Interpolated normals may lean away from the viewer: no further than along the surface.
+    ggFace.n = normalize(ggFace.n + max(1e-3 - dot(ggFace.n, ggFace.wo), 0.0) * ggFace.wo);
+    vec3 ggAlongX = dFdx(ggPosition), ggAlongY = dFdy(ggPosition);
+    vec3 ggShape = normalize((vec4(normalize(vNormal), 0.0) * viewMatrix).xyz);
+    vec3 ggTurnX = dFdx(ggShape), ggTurnY = dFdy(ggShape);
+    // The mean of the normal curvatures along two directions of the surface.
+    float ggBend = 0.5 * (dot(ggTurnX, ggAlongX) / max(dot(ggAlongX, ggAlongX), 1e-20) + dot(ggTurnY, ggAlongY) / max(dot(ggAlongY, ggAlongY), 1e-20));
+    vec3 ggLocal = abs((vec4(ggFace.n, 0.0) * modelMatrix).xyz) / (ggScale * ggScale);
+    ggFace.turn = (dot(ggTurnX, ggTurnX) + dot(ggTurnY, ggTurnY)) / 24.0; // evenly over a pixel: a twelfth of its width²
+    gg_ConvexBody ggBody;
+    ggBody.ior = ggIor;
+    ggBody.backAlpha = ggBackAlpha < 0.0 ? ggFace.alpha : ggBackAlpha;
+    // The thickness is in the mesh's own units, along the normal.
+    ggBody.thickness = ggThickness / max(length(ggLocal), 1e-20);
+    #ifdef GG_THICKNESS_MAP
+      ggBody.thickness *= texture2D(ggThicknessMap, vUv).g;
+    #endif
+    ggBody.curvature = ggCurvature < 0.0 ? max(ggBend, 0.0) : ggCurvature;
+    ggBody.attenuation = ggAttenuation;
+    gg_SceneView ggView;
+    ggView.clipFromWorld = ggClipFromWorld;
+    ggView.eye = cameraPosition;
+    ggView.size = ggPicture.xy;
+    ggView.focal = ggPicture.z;
+    ggView.reach = ggRange.z;
+    gg_Widening ggWiden;
+    if (ggBeckmann > 0.5) ggWiden = gg_wideningBeckmann(2); else ggWiden = gg_wideningGgx(2);
+    vec3 ggThrough = material.diffuseContribution * gg_refractConvex(ggFace, ggBody, ggView, ggWiden);
+    float ggAmount = ggTransmission;
+    #ifdef GG_TRANSMISSION_MAP
+      ggAmount *= texture2D(ggTransmissionMap, vUv).r;
+    #endif
+    totalDiffuse = mix(totalDiffuse, ggThrough, ggAmount);
+    vec3 ggLeft = material.diffuseContribution * exp(-ggBody.thickness * ggBody.attenuation);
+    float ggClear = max(ggLeft.r, max(ggLeft.g, ggLeft.b));
+    // In place of three's reflection of its own environment, which knows nothing of the scene.
+    totalSpecular += ggAmount * (material.specularF90 * gg_reflectGlass(ggFace, ggIor, ggClear, ggView) - reflectedLight.indirectSpecular);
+  }
+`;
+
+/**
+ * MeshPhysicalMaterial with two rough faces. Its `transmission`, `roughness`, `ior`, `thickness`, `attenuationColor` and
+ * `attenuationDistance` mean what they mean there; `dispersion` is not drawn. More:
+ * backRoughness  of the far face; null: that of the near one.
+ * curvature      of the body, 1/m: 0 a plate, 2 / thickness a sphere; null: from the mesh's normals.
+ * distribution   'ggx' or 'beckmann': given to Groundglass.load, for all materials: their tables.
+ */
+export class GroundglassMaterial extends THREE.MeshPhysicalMaterial {
+  constructor(parameters = {}) {
+    super();
+    this.isGroundglassMaterial = true;
+    this.backRoughness = null;
+    this.curvature = null;
+    this.glass = {};
+    for (const name of ['Transmission', 'Thickness', 'Curvature', 'Ior', 'BackAlpha', 'Beckmann']) this.glass['gg' + name] = { value: 0 };
+    this.glass.ggAttenuation = { value: new THREE.Vector3() };
+    this.glass.ggThicknessMap = { value: null };
+    this.glass.ggTransmissionMap = { value: null };
+    this.setValues(parameters);
+  }
+
+  get transmission() { return drawing ? 0 : this._transmission; }
+  set transmission(value) { this._transmission = value; }
+
+  /** A material of ours in place of a MeshPhysicalMaterial that transmits. */
+  static from(material) {
+    const made = new GroundglassMaterial();
+    THREE.MeshPhysicalMaterial.prototype.copy.call(made, material);
+    made.uuid = THREE.MathUtils.generateUUID();
+    return made;
+  }
+
+  copy(source) {
+    super.copy(source);
+    this.backRoughness = source.backRoughness ?? null;
+    this.curvature = source.curvature ?? null;
+    return this;
+  }
+
+  customProgramCacheKey() { return 'groundglass'; }
+
+  onBeforeCompile(shader) {
+    Object.assign(shader.uniforms, tables, this.glass);
+    shader.vertexShader = shader.vertexShader
+      .replace('#include <common>', '#include <common>\nvarying vec3 ggPosition;\nvarying vec3 ggScale;')
+      .replace('#include <project_vertex>', `#include <project_vertex>
+        vec4 ggWorld = vec4(transformed, 1.0);
+        #ifdef USE_INSTANCING
+          ggWorld = instanceMatrix * ggWorld;
+        #endif
+        ggPosition = (modelMatrix * ggWorld).xyz;
+        ggScale = vec3(length(modelMatrix[0].xyz), length(modelMatrix[1].xyz), length(modelMatrix[2].xyz));`);
+    shader.fragmentShader = shader.fragmentShader
+      .replace('#include <common>', '#include <common>\nuniform mat4 modelMatrix;\n'
+        + fragmentDeclarations.replaceAll('LEVELS', String(environmentLevels.length)))
+      .replace('#include <transmission_fragment>', fragmentBody);
+  }
+
+  update() {
+    const glass = this.glass;
+    glass.ggTransmission.value = this._transmission;
+    glass.ggThickness.value = this.thickness;
+    glass.ggCurvature.value = this.curvature ?? -1;
+    glass.ggIor.value = this.ior;
+    glass.ggBackAlpha.value = this.backRoughness === null ? -1 : this.backRoughness ** 2;
+    for (const [map, define] of [['thicknessMap', 'GG_THICKNESS_MAP'], ['transmissionMap', 'GG_TRANSMISSION_MAP']]) {
+      glass[map === 'thicknessMap' ? 'ggThicknessMap' : 'ggTransmissionMap'].value = this[map];
+      if (!this[map] !== (define in this.defines)) continue;
+      if (this[map]) Object.assign(this.defines, { [define]: '', USE_UV: '' });
+      else delete this.defines[define];
+      this.needsUpdate = true;
+    }
+    // Beer's law: attenuationColor is what is left after attenuationDistance.
+    const per = (c) => (Number.isFinite(this.attenuationDistance) && this.attenuationDistance > 0 ? -Math.log(Math.max(c, 1e-6)) / this.attenuationDistance : 0);
+    glass.ggAttenuation.value.set(per(this.attenuationColor.r), per(this.attenuationColor.g), per(this.attenuationColor.b));
+  }
+}
+
+// The environment as octahedral tiles: the first sharp, then Gaussians of sigma 0.01 radians and up, sqrt(2) apart. A texel is at most
+// as wide as its level's sigma.
+const environmentLevels = [{ size: 512, sigma: 0.0035 }];
+for (let k = 0; k < 13; ++k) {
+  const sigma = 0.01 * Math.SQRT2 ** k;
+  environmentLevels.push({ size: Math.max(16, 2 ** Math.ceil(Math.log2(3.5 / sigma) - 0.01)), sigma });
+}
+
+function fullscreen(fragmentShader, uniforms) {
+  return new THREE.ShaderMaterial({
+    uniforms, depthTest: false, depthWrite: false, toneMapped: false, glslVersion: THREE.GLSL3,
+    vertexShader: 'out vec2 uv01; void main() { uv01 = position.xy * 0.5 + 0.5; gl_Position = vec4(position.xy, 0.0, 1.0); }',
+    fragmentShader: `precision highp float;\nin vec2 uv01;\nout vec4 pixel;\n${fragmentShader}`,
+  });
+}
+
+const triangle = new THREE.BufferGeometry().setAttribute('position', new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
+
+export class Groundglass {
+  /** Loads the tables of one distribution, 'ggx' or 'beckmann'. */
+  static async load(renderer, { distribution = 'ggx', base = new URL('./', import.meta.url) } = {}) {
+    const description = await (await fetch(new URL('tables.json', base))).json();
+    const texture = async (name) => {
+      const { file, size } = description.textures[`${name}-${distribution}`];
+      const data = new Uint16Array(await (await fetch(new URL(file, base))).arrayBuffer());
+      const made = new THREE.Data3DTexture(data, ...size);
+      made.type = THREE.HalfFloatType;
+      made.minFilter = made.magFilter = THREE.LinearFilter;
+      made.needsUpdate = true;
+      return made;
+    };
+    const glass = new Groundglass(renderer);
+    [tables.ggEnergy.value, tables.ggLobes.value, tables.ggReflection.value]
+      = await Promise.all(['interface-energy', 'interface-lobes2', 'reflection-lobes1'].map(texture));
+    glass.beckmann = distribution === 'beckmann' ? 1 : 0;
+    return glass;
+  }
+
+  constructor(renderer) {
+    this.renderer = renderer;
+    this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0, 1);
+    this.mesh = new THREE.Mesh(triangle);
+    this.mesh.frustumCulled = false;
+    this.stage = new THREE.Scene().add(this.mesh);
+    // [1 3 3 1] / 8 along both axes in four reads between texels: 3/4 of a texel² of variance.
+    this.halve = fullscreen(`uniform sampler2D source; uniform vec2 texel;
+      void main() {
+        vec2 d = 0.75 * texel;
+        pixel = 0.25 * (textureLod(source, uv01 + d, 0.0) + textureLod(source, uv01 - d, 0.0)
+          + textureLod(source, uv01 + vec2(d.x, -d.y), 0.0) + textureLod(source, uv01 + vec2(-d.x, d.y), 0.0));
+      }`, { source: { value: null }, texel: { value: new THREE.Vector2() } });
+    this.beckmann = 0;
+    this.environment = null;
+  }
+
+  draw(material, target) {
+    this.mesh.material = material;
+    this.renderer.setRenderTarget(target);
+    this.renderer.render(this.stage, this.camera);
+  }
+
+  /** An equirectangular texture (null: black), linear radiance. render() calls it when scene.environment or its background changes. */
+  setEnvironment(texture) {
+    this.environment = texture;
+    if (!texture) return;
+    this.even?.dispose();
+    this.odd?.dispose();
+    const width = environmentLevels[0].size + 2, heights = [0, 0];
+    tables.ggTiles.value = environmentLevels.map(({ size, sigma }, k) => {
+      const row = heights[k % 2];
+      heights[k % 2] += size + 2;
+      return new THREE.Vector3(size, row, sigma);
+    });
+    const options = { type: THREE.HalfFloatType, depthBuffer: false, generateMipmaps: false };
+    [this.even, this.odd] = heights.map((height) => new THREE.WebGLRenderTarget(width, height, options));
+    const octahedron = `uniform float size; vec2 mirrored(vec2 p) {
+        if (abs(p.x) > 1.0) p = vec2(sign(p.x) * 2.0 - p.x, -p.y);
+        if (abs(p.y) > 1.0) p = vec2(-p.x, sign(p.y) * 2.0 - p.y);
+        return p;
+      }
+      vec3 decoded(vec2 p) {
+        float y = 1.0 - abs(p.x) - abs(p.y);
+        vec2 fold = max(-y, 0.0) * vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+        return normalize(vec3(p.x - fold.x, y, p.y - fold.y));
+      }
+      vec3 here(vec2 at) { return decoded(mirrored(2.0 * (at * (size + 2.0) - 1.0) / size - 1.0)); }`;
+    // 65504 is the largest half float: a brighter sun would be infinite.
+    const sharp = fullscreen(`uniform sampler2D map; ${octahedron}
+      void main() {
+        vec3 sum = vec3(0.0);
+        for (int k = 0; k < 4; ++k) {
+          vec3 d = here(uv01 + (vec2(k & 1, k >> 1) - 0.5) * 0.5 / (size + 2.0));
+          sum += textureLod(map, vec2(atan(d.z, d.x) * 0.15915494 + 0.5, asin(clamp(d.y, -1.0, 1.0)) * 0.31830989 + 0.5), 0.0).rgb;
+        }
+        pixel = vec4(min(0.25 * sum, 65504.0), 1.0);
+      }`, { map: { value: texture }, size: { value: 0 } });
+    const blur = fullscreen(`uniform sampler2D source; uniform vec3 from; uniform vec2 atlas; uniform float spread; ${octahedron}
+      vec3 read(vec3 d) {
+        d /= abs(d.x) + abs(d.y) + abs(d.z);
+        vec2 p = d.y >= 0.0 ? d.xz : (1.0 - abs(d.zx)) * vec2(d.x < 0.0 ? -1.0 : 1.0, d.z < 0.0 ? -1.0 : 1.0);
+        return textureLod(source, (vec2(1.0, from.y + 1.0) + (0.5 + 0.5 * p) * from.x) / atlas, 0.0).rgb;
+      }
+      void main() { // points of a Gaussian disc: radii at its quantiles, angles by the golden ratio
+        vec3 n = here(uv01), t = normalize(cross(n, abs(n.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0))), b = cross(n, t), sum = vec3(0.0);
+        for (int k = 0; k < 48; ++k) {
+          float angle = 2.39996323 * float(k), r = spread * sqrt(-2.0 * log(1.0 - (float(k) + 0.5) / 48.0));
+          sum += read(cos(r) * n + sin(r) * (cos(angle) * t + sin(angle) * b));
+        }
+        pixel = vec4(sum / 48.0, 1.0);
+      }`, { source: { value: null }, from: { value: null }, atlas: { value: new THREE.Vector2() }, spread: { value: 0 }, size: { value: 0 } });
+    environmentLevels.forEach(({ size, sigma }, k) => {
+      const target = k % 2 ? this.odd : this.even, source = k % 2 ? this.even : this.odd, material = k ? blur : sharp;
+      material.uniforms.size.value = size;
+      if (k) {
+        blur.uniforms.source.value = source.texture;
+        blur.uniforms.from.value = tables.ggTiles.value[k - 1];
+        blur.uniforms.atlas.value.set(width, heights[1 - k % 2]);
+        blur.uniforms.spread.value = Math.sqrt(sigma ** 2 - environmentLevels[k - 1].sigma ** 2);
+      }
+      target.viewport.set(0, tables.ggTiles.value[k].y, size + 2, size + 2);
+      this.keepingState(() => this.draw(material, target));
+    });
+    tables.ggEnvironmentEven.value = this.even.texture;
+    tables.ggEnvironmentOdd.value = this.odd.texture;
+    tables.ggAtlas.value.set(width, ...heights, 1);
+  }
+
+  keepingState(run) {
+    const { renderer } = this, target = renderer.getRenderTarget(), clears = renderer.autoClear, tone = renderer.toneMapping;
+    renderer.autoClear = false;
+    renderer.toneMapping = THREE.NoToneMapping;
+    run();
+    renderer.autoClear = clears;
+    renderer.toneMapping = tone;
+    renderer.setRenderTarget(target);
+  }
+
+  resize(width, height) {
+    if (this.scene?.width === width && this.scene.height === height) return;
+    for (const one of [this.scene, this.pyramid, ...(this.steps ?? [])]) one?.dispose();
+    const half = { type: THREE.HalfFloatType, depthBuffer: false, generateMipmaps: false };
+    const depthTexture = new THREE.DepthTexture(width, height, THREE.FloatType);
+    this.scene = new THREE.WebGLRenderTarget(width, height, { type: THREE.HalfFloatType, depthTexture });
+    // Levels down to four texels along the shorter side: wider lobes see no more than that of the picture.
+    const levels = Math.max(1, Math.floor(Math.log2(Math.min(width, height))) - 1);
+    this.steps = [];
+    for (let k = 1; k < levels; ++k) this.steps.push(new THREE.WebGLRenderTarget(width >> k, height >> k, half));
+    this.pyramid = new THREE.WebGLRenderTarget(width, height, { ...half, minFilter: THREE.LinearMipmapLinearFilter });
+    this.pyramid.texture.mipmaps = Array.from({ length: levels }, () => ({}));
+    this.renderer.initRenderTarget(this.pyramid);
+    tables.ggPyramid.value = this.pyramid.texture;
+    tables.ggDepth.value = depthTexture;
+  }
+
+  /** Draws the scene into the renderer's current target: what is not glass, its Gaussian pyramid, then all. */
+  render(scene, camera) {
+    const { renderer } = this, target = renderer.getRenderTarget();
+    const size = target ? new THREE.Vector2(target.width, target.height) : renderer.getDrawingBufferSize(new THREE.Vector2());
+    const glass = [];
+    scene.traverseVisible((object) => { if (object.material?.isGroundglassMaterial) glass.push(object); });
+    if (scene.environment !== this.environment) this.setEnvironment(scene.environment);
+    tables.ggAtlas.value.w = scene.environment ? scene.environmentIntensity : 0;
+    drawing = true;
+    try {
+      if (glass.length > 0) {
+        this.resize(size.x, size.y);
+        this.describe(scene, camera, size, glass);
+        for (const one of glass) one.visible = false;
+        const tone = renderer.toneMapping;
+        renderer.toneMapping = THREE.NoToneMapping;
+        renderer.setRenderTarget(this.scene);
+        renderer.render(scene, camera);
+        renderer.toneMapping = tone;
+        for (const one of glass) one.visible = true;
+        this.keepingState(() => this.blur());
+      }
+      renderer.setRenderTarget(target);
+      renderer.render(scene, camera);
+    } finally {
+      drawing = false;
+    }
+  }
+
+  blur() {
+    const { renderer } = this;
+    renderer.setRenderTarget(this.scene);
+    renderer.copyFramebufferToTexture(this.pyramid.texture, null, 0);
+    let source = this.scene;
+    this.steps.forEach((step, k) => {
+      this.halve.uniforms.source.value = source.texture;
+      this.halve.uniforms.texel.value.set(1 / source.width, 1 / source.height);
+      this.draw(this.halve, step);
+      renderer.copyFramebufferToTexture(this.pyramid.texture, null, k + 1);
+      source = step;
+    });
+  }
+
+  describe(scene, camera, size, glass) {
+    camera.updateMatrixWorld();
+    scene.updateMatrixWorld();
+    const bounds = new THREE.Sphere(), box = new THREE.Box3().setFromObject(scene);
+    box.getBoundingSphere(bounds);
+    tables.ggClipFromWorld.value.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    tables.ggPicture.value.set(size.x, size.y, 0.5 * size.y * camera.projectionMatrix.elements[5], this.steps.length);
+    tables.ggRange.value.set(camera.near, camera.far, Math.max(2.04 * bounds.radius, camera.near), 0);
+    for (const { material } of glass) {
+      material.update();
+      material.glass.ggBeckmann.value = this.beckmann;
+    }
+  }
+}
+
+/** Every MeshPhysicalMaterial below `object` that transmits becomes a GroundglassMaterial. */
+export function replaceGlass(object) {
+  const made = new Map();
+  object.traverse((one) => {
+    const material = one.material;
+    if (!material?.isMeshPhysicalMaterial || !(material.transmission > 0) || material.isGroundglassMaterial) return;
+    if (!made.has(material)) made.set(material, GroundglassMaterial.from(material));
+    one.material = made.get(material);
+  });
+}

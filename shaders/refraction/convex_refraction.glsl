@@ -1,0 +1,81 @@
+// convex_refraction.glsl: rough refraction of a convex body whose thickness is known, without a pass for its back faces: the first
+// tier. What a caller of KHR_materials_volume's usual one-interface refraction has at hand is enough.
+// Frame    world, metres. n outward on the viewer's side, wo to the viewer; unit.
+// alpha    of the front face and of the back face (ConvexBody), [0, 1].
+// Returns  refractConvex: linear radiance through both faces, first-order path and what is reflected inside, >= 0; without the
+//          front face's own reflection (glass_reflection.glsl) and without tint: multiply by the base colour.
+// Source   interface_table.glsl, composition.glsl; the engine's functions are those of engine.glsl.
+// Limits   single scattering; a body that is not convex_body.glsl's lens is taken for one.
+//          10 reads of tables, up to 21 of depth, 2 of the scene's colour, up to 3 of the environment.
+#ifndef GG_REFRACTION_CONVEX_REFRACTION_GLSL
+#define GG_REFRACTION_CONVEX_REFRACTION_GLSL
+
+#include "bsdf/transmission.glsl"
+#include "refraction/convex_body.glsl"
+#include "refraction/glass_reflection.glsl"
+#include "refraction/wandering.glsl"
+
+InterfaceTap engineFaceTap(int tap, float cosTheta, float alpha, float eta) {
+  return interfaceTap(engineInterfaceLobe(interfaceLobeCoordinate(tap, 2, cosTheta, alpha, eta)), cosTheta, alpha, eta);
+}
+
+InnerTap engineEnteringTap(int tap, GlassFace face, float ior, float energy) {
+  InterfaceTap read = engineFaceTap(tap, dot(face.wo, face.n), face.alpha, ior);
+  InnerTap inner;
+  bool matched = abs(ior - 1.0) < INDEX_MATCHED;
+  inner.direction = matched ? -face.wo : interfaceTapDirection(face.wo, face.n, read.angle);
+  inner.sigma = matched ? 0.0 : read.sigma;
+  inner.weight = read.weight * (matched ? 1.0 : energy);
+  return inner;
+}
+
+ComposedPair engineLeavingPair(InnerTap inner, bool core, ExitSurface s, Widening k) {
+  ExitView view = seeExit(inner, core, s, k);
+  float cosTheta = max(view.cosTheta, 0.0);
+  float energy = abs(s.eta - 1.0) < INDEX_MATCHED ? 1.0 : engineFaceEnergy(cosTheta, view.alphaEnergy, s.eta).transmitted;
+  InterfaceTap first = engineFaceTap(0, cosTheta, view.alphaShape, s.eta);
+  InterfaceTap second = engineFaceTap(1, cosTheta, view.alphaShape, s.eta);
+  return composedPair(composeTap(inner, view, s, first.angle, first.sigma, first.weight, energy),
+                      composeTap(inner, view, s, second.angle, second.sigma, second.weight, energy), view);
+}
+
+// What the exit throws back leaves a convex body by its near face, again and again: a geometric series. Nothing leaves a face wider
+// than a diffuse one sends light, 0.606 radians per axis.
+vec3 internallyReflected(GlassFace face, ConvexBody body, InnerTap inner, float entered, ConvexExit e, float passed) {
+  float cosTheta = max(dot(inner.direction, e.surface.n), 0.0);
+  InterfaceEnergy own = engineFaceEnergy(cosTheta, body.backAlpha, e.surface.eta);
+  Wandering w;
+  w.passes = passed;
+  w.back = clamp(own.transmitted + own.reflected - passed, 0.0, 0.99);
+  vec3 reflected = inner.direction - 2.0 * cosTheta * e.surface.n;
+  float q = clamp(body.thickness * body.curvature, 0.0, 2.0);
+  vec3 near = normalize(mix(face.n, e.surface.n + 2.0 * cosTheta * reflected, 0.5 * q));
+  vec3 outward = refractAbout(-reflected, -near, e.surface.eta);
+  float spread = sqrt(inner.sigma * inner.sigma + 4.0 * body.backAlpha * body.backAlpha) * body.ior;
+  vec3 way = exp(-e.path * body.attenuation);
+  vec3 direction = dot(outward, outward) > 0.0 ? outward : near;
+  return entered * w.back * way * wanderingEscapes(w, way) * engineEnvironment(direction, min(spread, 0.606));
+}
+
+vec3 refractConvex(GlassFace face, ConvexBody body, SceneView view, Widening k) {
+  float entered = engineFaceEnergy(dot(face.wo, face.n), face.alpha, body.ior).transmitted;
+  InnerTap core = engineEnteringTap(0, face, body.ior, entered);
+  InnerTap tail = engineEnteringTap(1, face, body.ior, entered);
+  ConvexExit coreExit = convexExit(face.n, core.direction, body);
+  ConvexExit tailExit = convexExit(face.n, tail.direction, body);
+  ComposedPair first = engineLeavingPair(core, true, coreExit.surface, k);
+  ComposedPair pair = mergePairs(first, engineLeavingPair(tail, false, tailExit.surface, k));
+
+  // Over the pixel both faces turn together, as a prism's do: by 2 (1 - 1 / ior) of the normal's turn.
+  float bent = 2.0 * (1.0 - 1.0 / body.ior);
+  pair.core.sigma = sqrt(pair.core.sigma * pair.core.sigma + bent * bent * face.turn);
+  vec3 origin = face.position + coreExit.path * core.direction;
+  SceneMeeting met = sceneMeeting(origin, pair.core.direction, view);
+  vec3 sum = pair.core.weight * lobeRadiance(pair.core, origin, coreExit.path, met, view);
+  // The rest leaves beside the core and meets the same thing.
+  if (pair.rest.weight > 0.0) sum += pair.rest.weight * lobeRadiance(pair.rest, origin, coreExit.path, met, view);
+  float passed = core.weight > 0.0 ? (first.core.weight + first.rest.weight) / core.weight : 0.0;
+  return sum * exp(-coreExit.path * body.attenuation) + internallyReflected(face, body, core, entered, coreExit, passed);
+}
+
+#endif

@@ -1,0 +1,40 @@
+// scene_lookup.glsl: what a lobe that leaves glass brings: the scene's colour where it meets something that is seen, else the
+// environment.
+// Frame    world, metres; pixels as engine.glsl.
+// alpha    none; sigma, inner, carried: radians.
+// Returns  lobeRadiance: linear radiance of one lobe, >= 0.
+// Source   scene_meeting.glsl, screen_pyramid.glsl for the blur.
+// Limits   beyond the picture its border fades over one height of it into the environment.
+#ifndef GG_REFRACTION_SCENE_LOOKUP_GLSL
+#define GG_REFRACTION_SCENE_LOOKUP_GLSL
+
+#include "refraction/composition.glsl"
+#include "refraction/scene_meeting.glsl"
+#include "refraction/screen_pyramid.glsl"
+
+// tap leaves at origin, after `inside` metres in the glass.
+vec3 lobeRadiance(ComposedTap tap, vec3 origin, float inside, SceneMeeting met, SceneView view) {
+  bool ends = met.metres >= 0.0;
+  vec3 place = ends ? origin + met.metres * tap.direction : tap.direction;
+  vec4 clip = view.clipFromWorld * vec4(place, ends ? 1.0 : 0.0);
+  float share = 0.0;
+  vec3 near = vec3(0.0);
+  if (met.seen && clip.w > 0.0) {
+    vec3 fromEye = ends ? place - view.eye : tap.direction;
+    float range = length(fromEye);
+    float metres = sqrt(beamVariance(tap.sigma, tap.carried, tap.inner, inside, met.metres));
+    float pixels = (ends ? metres / range : tap.sigma) * pixelsPerRadian(view.focal, min(clip.w / range, 1.0));
+    vec2 at = scenePixel(clip, view.size);
+    vec2 outside = max(max(-at, at - view.size), vec2(0.0));
+    float far = dot(outside, outside);
+    share = ends ? exp(-0.5 * far / (view.size.y * view.size.y)) : pyramidCoverage(at, view.size, pixels);
+    if (share > 0.0) {
+      vec4 shown = engineSceneColor(at, pixels * pixels + far);
+      share *= min(2.0 * shown.w, 1.0);
+      near = shown.w > 0.0 ? vec3(shown.x, shown.y, shown.z) / shown.w : vec3(0.0);
+    }
+  }
+  return share >= 0.999 ? near : mix(engineEnvironment(tap.direction, tap.sigma), near, share);
+}
+
+#endif
