@@ -15,11 +15,16 @@ namespace gg::needs {
 
 class Shapes {
 public:
-// The shapes of solids, by mesh and body, and what stands for the things of the scene: each worked out once.
-#pragma once
-
-#include "needs/proxies.h"
-#include "scene/bodies.h"
+  explicit Shapes(const scene::Scene& scene) // must outlive this
+      : scene_(scene), bodies_(scene::body_materials(scene)) {}
+  // The material that stands for the body of this one (scene/bodies.h).
+  scene::Index body(scene::Index material) const {
+    return bodies_[static_cast<std::size_t>(material)];
+  }
+  // Of the solid that the instance's primitives of that body make together.
+  const scene::SolidShape& of(const scene::Instance& instance, scene::Index body_of);
+  // Of the whole scene (needs/proxies.h).
+  std::shared_ptr<const Proxies> proxies();
 
 private:
   const scene::Scene& scene_;
