@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/progress.h"
+#include "frame/display.h"
 #include "scene/origin.h"
 #include "truth/interrupt.h"
 #include "truth/render.h"
@@ -12,11 +13,13 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 namespace gg::commands {
 namespace {
@@ -26,7 +29,11 @@ using nlohmann::json;
 
 struct Options {
   SceneOptions scene;
-  std::string out, json, smith = "separable";
+  std::vector<std::string> out;
+  std::string exr, png; // those of `out`
+  std::string json, smith = "separable", tonemap = "neutral";
+  float exposure = 0.0f;         // EV
+  std::optional<double> preview; // seconds
   std::optional<long> spp;
   std::optional<double> error;
   std::uint64_t seed = 0;
@@ -40,11 +47,39 @@ constexpr long most_spp = 1L << 30;
 constexpr double most_error = 10.0; // ten times as large as what it is the error of
 constexpr int most_threads = 1024;
 
+// What messages call the picture.
+const std::string& name_of(const Options& o) {
+  return o.exr.empty() ? o.png : o.exr;
+}
+
+// An .exr, a .png, or one of each.
+void sort_outputs(Options& o) {
+  for (const std::string& path : o.out) {
+    const fs::path extension = fs::path(path).extension();
+    const bool to_stream = extension.empty() && destination_of(path).is_stream;
+    if (extension != ".exr" && extension != ".png" && !to_stream)
+      throw Error(
+          ExitCode::usage, path, "is neither an .exr nor a .png file",
+          "-o truth.exr keeps the error and the object ids in OpenEXR channels; -o truth.png "
+          "is for looking at.");
+    std::string& place = extension == ".png" ? o.png : o.exr;
+    if (!place.empty())
+      throw Error(ExitCode::usage, path, "is the second picture of its kind",
+                  "Ask for one .exr, one .png, or one of each.");
+    place = path;
+  }
+}
+
 void check(const Options& o) {
-  const bool to_stream = fs::path(o.out).extension().empty() && destination_of(o.out).is_stream;
-  if (fs::path(o.out).extension() != ".exr" && !to_stream)
-    throw Error(ExitCode::usage, o.out, "is not an .exr file",
-                "Truth keeps its error and object ids in OpenEXR channels: -o truth.exr.");
+  if (o.exr.empty() && (o.resume || o.half))
+    throw Error(ExitCode::usage, o.resume ? "--resume" : "--half", "needs an .exr file",
+                "Add -o truth.exr.");
+  if (o.preview && o.png.empty())
+    throw Error(ExitCode::usage, "--preview", "needs a .png file to write", "Add -o truth.png.");
+  if (o.preview && !(*o.preview > 0.0 && std::isfinite(*o.preview)))
+    throw Error(ExitCode::usage, "--preview", "must be a number of seconds above 0");
+  if (!std::isfinite(o.exposure))
+    throw Error(ExitCode::usage, "--exposure", "must be a finite number of stops");
   if (o.spp && (*o.spp < 2 || *o.spp > most_spp))
     throw Error(ExitCode::usage, "--spp", fmt::format("must be from 2 to {}", most_spp),
                 "One sample says nothing about its error.");
@@ -56,7 +91,7 @@ void check(const Options& o) {
   if (o.smith != "separable" && o.smith != "correlated")
     throw Error(ExitCode::usage, "--smith", "'" + o.smith + "' is not known",
                 "Choose separable or correlated.");
-  probe_outputs({o.out, o.json});
+  probe_outputs({o.exr, o.png, o.json});
 }
 
 std::string numbers_of(const scene::Camera& camera) {
@@ -87,11 +122,11 @@ std::map<std::string, std::string> settings_of(const Options& o, const scene::Ca
 
 truth::Film film_of(const Options& o, const std::map<std::string, std::string>& settings,
                     Size size) {
-  if (!o.resume || !fs::exists(o.out)) return {size.width, size.height};
-  const image::Exr before = image::read_exr(o.out);
-  truth::Film film = truth::Film::from_exr(before, o.out);
+  if (!o.resume || !fs::exists(o.exr)) return {size.width, size.height};
+  const image::Exr before = image::read_exr(o.exr);
+  truth::Film film = truth::Film::from_exr(before, o.exr);
   if (film.width() != size.width || film.height() != size.height)
-    throw Error(ExitCode::usage, o.out,
+    throw Error(ExitCode::usage, o.exr,
                 fmt::format("is {} x {} pixels, not {} x {}", film.width(), film.height(),
                             size.width, size.height),
                 "Ask for the same --size, or leave --resume out to start anew.");
@@ -99,7 +134,7 @@ truth::Film film_of(const Options& o, const std::map<std::string, std::string>& 
     const auto found = before.attributes.find(key);
     const std::string was = found != before.attributes.end() ? found->second : "";
     if (was != value)
-      throw Error(ExitCode::usage, o.out,
+      throw Error(ExitCode::usage, o.exr,
                   fmt::format("was rendered with {} '{}', not '{}'", key, was, value),
                   "Ask for the same, or leave --resume out to start anew.");
   }
@@ -108,7 +143,7 @@ truth::Film film_of(const Options& o, const std::map<std::string, std::string>& 
 
 std::string command_line(const Options& o, long spp) {
   std::string line = fmt::format("groundglass truth {} -o {} --size {} --spp {} --seed {}",
-                                 o.scene.scene, o.out, o.scene.size, spp, o.seed);
+                                 o.scene.scene, name_of(o), o.scene.size, spp, o.seed);
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) line += fmt::format(" {} {}", option, value);
   };
@@ -148,8 +183,14 @@ image::Exr halved(image::Exr picture) {
   return picture;
 }
 
-void trace(const Options& o) {
+void write_png(const truth::Film& film, const Options& o, frame::ToneMap tone_map) {
+  image::write(o.png, frame::for_display(film.to_image(), o.exposure, tone_map));
+}
+
+void trace(Options o) {
+  sort_outputs(o);
   check(o);
+  const frame::ToneMap tone_map = frame::parse_tone_map(o.tonemap);
   const Size size = parse_size(o.scene.size);
   scene::Scene scene = load_scene(o.scene);
   scene::Camera view = choose_camera(o.scene, scene, size);
@@ -182,11 +223,22 @@ void trace(const Options& o) {
     // there is the part of the work that is done.
     constexpr long steps = 10000;
     Progress progress("tracing", steps);
-    const auto report = [&](long samples, double error) {
-      const double by_samples = static_cast<double>(samples) / static_cast<double>(desc.samples);
-      const double ratio = error > 0.0 ? desc.error / error : 1.0;
-      progress.update(static_cast<long>(steps * std::min(1.0, std::max(by_samples, ratio * ratio))),
-                      fmt::format("{} samples per pixel, error {:.2f} %", samples, 100.0 * error));
+    auto shown = start;
+    const auto report = [&](const truth::Film& now, double error) {
+      const long samples = now.samples();
+      const double ratio =
+          samples >= truth::least_samples && error > 0.0 ? desc.error / error : 0.0;
+      const double part =
+          std::max(static_cast<double>(samples) / static_cast<double>(desc.samples), ratio * ratio);
+      // One sample does not know its error.
+      progress.update(static_cast<long>(steps * std::min(1.0, part)),
+                      samples < 2 ? "1 sample per pixel"
+                                  : fmt::format("{} samples per pixel, error {:.2f} %", samples,
+                                                100.0 * error));
+      const auto moment = std::chrono::steady_clock::now();
+      if (!o.preview || std::chrono::duration<double>(moment - shown).count() < *o.preview) return;
+      shown = moment;
+      write_png(now, o, tone_map);
     };
     complete = truth::render(integrator, camera, desc, film,
                              {.report = report, .stop = truth::Interruptible::requested});
@@ -194,10 +246,11 @@ void trace(const Options& o) {
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (film.samples() < 2)
-    throw Error(ExitCode::interrupted, o.out, "interrupted before there was anything to keep");
+    throw Error(ExitCode::interrupted, name_of(o), "interrupted before there was anything to keep");
 
   const image::Exr picture = picture_of(film, scene, settings, o);
-  image::write_exr(o.out, o.half ? halved(picture) : picture);
+  if (!o.exr.empty()) image::write_exr(o.exr, o.half ? halved(picture) : picture);
+  if (!o.png.empty()) write_png(film, o, tone_map);
   if (!o.json.empty()) {
     OutputFile file(o.json);
     file.write(json{{"width", size.width},
@@ -212,12 +265,14 @@ void trace(const Options& o) {
                + "\n");
     file.commit();
   }
-  fmt::print(text_stream({o.out, o.json}), "{}: {} samples per pixel, error {:.2f} %, {:.1f} s\n",
-             o.out, film.samples(), 100.0 * film.relative_error(), seconds);
+  fmt::print(text_stream({o.exr, o.png, o.json}),
+             "{}: {} samples per pixel, error {:.2f} %, {:.1f} s\n", name_of(o), film.samples(),
+             100.0 * film.relative_error(), seconds);
   if (!complete)
-    throw Error(ExitCode::interrupted, o.out,
+    throw Error(ExitCode::interrupted, name_of(o),
                 fmt::format("interrupted; {} samples per pixel are kept", film.samples()),
-                "The same command with --resume goes on from there.");
+                o.exr.empty() ? "With -o truth.exr, --resume could go on from there."
+                              : "The same command with --resume goes on from there.");
 }
 
 } // namespace
@@ -227,7 +282,11 @@ void add_truth(Command program) {
   Command command =
       program.subcommand("truth", "Path trace the scene, until its error is small enough");
   add_options(command, options->scene);
-  command.option("-o,--output", &options->out, "Picture to write: .exr").required();
+  command
+      .option("-o,--output", &options->out,
+              "Picture to write: .exr (radiance, error, object ids), .png (for display), or one of "
+              "each")
+      .required();
   const Option spp =
       command.option("--spp", &options->spp,
                      fmt::format("Samples per pixel ({} if nothing is said)", default_spp));
@@ -247,6 +306,9 @@ void add_truth(Command program) {
   command.flag("--half", options->half,
                "Store 16-bit floats and no standard errors by pixel: a small reference, which "
                "--resume cannot go on from");
+  command.option("--exposure", &options->exposure, "Stops of brightness added for display (.png)");
+  command.option("--tonemap", &options->tonemap, "none, neutral, aces or agx (.png)");
+  command.option("--preview", &options->preview, "Write the .png anew every so many seconds");
   command.option("--threads", &options->threads, "0: as many as the machine has");
   command.option("--json", &options->json, "Write times, samples and error to this file");
   command.action([options] { trace(*options); });

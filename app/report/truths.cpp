@@ -77,7 +77,8 @@ bool trace(const Subject& subject, const Plan& plan, const Loaded& loaded, truth
   const truth::RenderDesc desc{.samples = plan.truth_error > 0.0 ? no_limit : plan.truth_samples,
                                .error = plan.truth_error};
   Progress progress(subject.name + ": truth", 1000);
-  const auto report = [&](long samples, double error) {
+  const auto report = [&](const truth::Film& now, double error) {
+    const long samples = now.samples();
     const double part =
         plan.truth_error > 0.0
             ? (plan.truth_error / error) * (plan.truth_error / error)

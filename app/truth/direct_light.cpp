@@ -41,7 +41,8 @@ void Integrator::add_direct_light(Walk& walk, const Path& path, const Meeting& m
     // From inside a solid that bends light the environment is seen through its boundary only.
     if (l.open
         && (alone || media_.ior(media_.at(m.where_after(l.across).inside), path.channel) == 1.0))
-      walk.sample.radiance += path.throughput * l.scattered.f_cos * drawn->radiance
+      walk.sample.radiance += path.throughput * l.scattered.f_cos
+                              * environment_->radiance(drawn->place)
                               * (mis_share(drawn->pdf, l.scattered.pdf) * path.open / drawn->pdf)
                               * visible(drawn->direction, INFINITY, l.across, false);
   }

@@ -18,11 +18,6 @@ int cell_at(const T* cumulated, int n, double u) {
   return static_cast<int>(found - cumulated) - 1;
 }
 
-// Cosine of the polar angle at the upper edge of row j of n.
-double edge(int j, int n) {
-  return std::cos(pi * static_cast<double>(j) / n);
-}
-
 } // namespace
 
 EnvironmentLight::EnvironmentLight(environment::Map map, double rotation, double intensity)
@@ -40,6 +35,8 @@ EnvironmentLight::EnvironmentLight(environment::Map map, double rotation, double
   };
   rows_.assign(static_cast<std::size_t>(height_) + 1, 0.0);
   cells_.assign((static_cast<std::size_t>(width_) + 1) * static_cast<std::size_t>(height_), 0.0f);
+  for (int j = 0; j <= height_; ++j)
+    edges_.push_back(std::cos(pi * static_cast<double>(j) / height_));
   std::vector<double> sums(static_cast<std::size_t>(width_) + 1);
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x)
@@ -48,7 +45,9 @@ EnvironmentLight::EnvironmentLight(environment::Map map, double rotation, double
     float* const row = cells_.data() + static_cast<std::size_t>(y) * sums.size();
     for (std::size_t x = 0; x < sums.size(); ++x)
       row[x] = total > 0.0 ? static_cast<float>(sums[x] / total) : 0.0f;
-    const double solid_angle = edge(y, height_) - edge(y + 1, height_); // of a cell, up to a factor
+    // Of a cell, up to a factor.
+    const double solid_angle =
+        edges_[static_cast<std::size_t>(y)] - edges_[static_cast<std::size_t>(y) + 1];
     rows_[static_cast<std::size_t>(y) + 1] =
         rows_[static_cast<std::size_t>(y)] + total * solid_angle;
   }
@@ -63,16 +62,15 @@ glm::dvec3 EnvironmentLight::texel(int x, int y) const {
   return glm::dvec3(map_.at(column, row));
 }
 
-glm::dvec3 EnvironmentLight::in_map(const glm::dvec3& d) const {
+EnvironmentLight::Place EnvironmentLight::place_of(const glm::dvec3& world) const {
   // The map's own direction: the world's, turned back about +Y.
-  return {cosine_ * d.x - sine_ * d.z, d.y, sine_ * d.x + cosine_ * d.z};
+  const double x = cosine_ * world.x - sine_ * world.z, z = sine_ * world.x + cosine_ * world.z;
+  return {(std::atan2(z, x) / (2.0 * pi) + 0.5) * width_,
+          std::acos(std::clamp(world.y, -1.0, 1.0)) / pi * height_};
 }
 
-glm::dvec3 EnvironmentLight::radiance(const glm::dvec3& direction) const {
-  const glm::dvec3 d = in_map(direction);
-  const double u = std::atan2(d.z, d.x) / (2.0 * pi) + 0.5;
-  const double v = std::acos(std::clamp(d.y, -1.0, 1.0)) / pi;
-  const double x = u * width_ - 0.5, y = v * height_ - 0.5;
+glm::dvec3 EnvironmentLight::radiance(const Place& place) const {
+  const double x = place.x - 0.5, y = place.y - 0.5;
   const double left = std::floor(x), top = std::floor(y);
   const double fx = x - left, fy = y - top;
   const int i = static_cast<int>(left), j = static_cast<int>(top);
@@ -81,41 +79,33 @@ glm::dvec3 EnvironmentLight::radiance(const glm::dvec3& direction) const {
             + (texel(i, j + 1) * (1.0 - fx) + texel(i + 1, j + 1) * fx) * fy);
 }
 
-int EnvironmentLight::row_of(double y) const {
-  const double v = std::acos(std::clamp(y, -1.0, 1.0)) / pi;
-  return std::clamp(static_cast<int>(v * height_), 0, height_ - 1);
-}
-
 std::optional<EnvironmentLight::Drawn> EnvironmentLight::sample(Random& random) const {
   if (!(rows_.back() > 0.0 && intensity_ > 0.0)) return std::nullopt;
   const int row = cell_at(rows_.data(), height_, random.uniform());
   const float* const cells =
       cells_.data() + static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1);
   const int column = cell_at(cells, width_, random.uniform());
-  const double y = glm::mix(edge(row, height_), edge(row + 1, height_), random.uniform());
-  const double phi = 2.0 * pi * ((column + random.uniform()) / width_ - 0.5);
+  const double y = glm::mix(edges_[static_cast<std::size_t>(row)],
+                            edges_[static_cast<std::size_t>(row) + 1], random.uniform());
+  Drawn drawn;
+  drawn.place = {column + random.uniform(), std::acos(y) / pi * height_};
+  const double phi = 2.0 * pi * (drawn.place.x / width_ - 0.5);
   const double r = std::sqrt(std::max((1.0 - y) * (1.0 + y), 0.0));
   const glm::dvec3 d(r * std::cos(phi), y, r * std::sin(phi));
-  Drawn drawn;
   drawn.direction = {cosine_ * d.x + sine_ * d.z, d.y, -sine_ * d.x + cosine_ * d.z};
-  drawn.radiance = radiance(drawn.direction);
-  drawn.pdf = pdf(drawn.direction);
+  drawn.pdf = pdf(drawn.place);
   if (!(drawn.pdf > 0.0)) return std::nullopt;
   return drawn;
 }
 
-double EnvironmentLight::pdf(const glm::dvec3& direction) const {
-  const glm::dvec3 d = in_map(direction);
-  const int row = row_of(d.y);
-  const double u = std::atan2(d.z, d.x) / (2.0 * pi) + 0.5;
-  const int column = std::clamp(static_cast<int>(u * width_), 0, width_ - 1);
-  const float* const cells =
-      cells_.data() + static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1);
+double EnvironmentLight::pdf(const Place& place) const {
+  const int row = std::clamp(static_cast<int>(place.y), 0, height_ - 1);
+  const int column = std::clamp(static_cast<int>(place.x), 0, width_ - 1);
+  const std::size_t y = static_cast<std::size_t>(row);
+  const float* const cells = cells_.data() + y * (static_cast<std::size_t>(width_) + 1);
   const double chance =
-      (rows_[static_cast<std::size_t>(row) + 1] - rows_[static_cast<std::size_t>(row)])
-      * static_cast<double>(cells[column + 1] - cells[column]);
-  const double solid_angle = 2.0 * pi / width_ * (edge(row, height_) - edge(row + 1, height_));
-  return chance / solid_angle;
+      (rows_[y + 1] - rows_[y]) * static_cast<double>(cells[column + 1] - cells[column]);
+  return chance / (2.0 * pi / width_ * (edges_[y] - edges_[y + 1]));
 }
 
 } // namespace gg::truth

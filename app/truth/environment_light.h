@@ -13,10 +13,13 @@ namespace gg::truth {
 
 class EnvironmentLight {
 public:
+  struct Place {
+    double x = 0.0, y = 0.0; // in the map, texels from its upper left corner
+  };
   struct Drawn {
     glm::dvec3 direction{0.0};
-    glm::dvec3 radiance{0.0};
     double pdf = 0.0; // 1/sr
+    Place place;
   };
 
   // The map is turned by `rotation` radians about +Y, counter-clockwise seen from above, and its
@@ -25,16 +28,18 @@ public:
 
   // Radiance from a unit direction: bilinear between the texels' centres, wrapped round, clamped at
   // the poles.
-  glm::dvec3 radiance(const glm::dvec3& direction) const;
+  glm::dvec3 radiance(const glm::dvec3& direction) const { return radiance(place_of(direction)); }
+  glm::dvec3 radiance(const Place& place) const;
   // Nothing if the environment is black.
   std::optional<Drawn> sample(Random& random) const;
   // The density with which sample() draws the direction, 1/sr.
-  double pdf(const glm::dvec3& direction) const;
+  double pdf(const glm::dvec3& direction) const { return pdf(place_of(direction)); }
+  double pdf(const Place& place) const;
+  // For those who ask for both.
+  Place place_of(const glm::dvec3& direction) const;
 
 private:
   glm::dvec3 texel(int x, int y) const;
-  glm::dvec3 in_map(const glm::dvec3& world) const;
-  int row_of(double y) const;
 
   environment::Map map_;
   int width_, height_;
@@ -42,7 +47,8 @@ private:
   // Cumulated power: of the rows, and within each row of its cells. A cell is a texel's rectangle;
   // inside it directions are drawn uniformly over the sphere.
   std::vector<double> rows_;
-  std::vector<float> cells_; // (width + 1) a row
+  std::vector<float> cells_;  // (width + 1) a row
+  std::vector<double> edges_; // of the rows: cosine of the polar angle
 };
 
 } // namespace gg::truth

@@ -54,6 +54,16 @@ double Film::relative_error() const {
   return objects >= 0.0 ? objects : over(false);
 }
 
+image::Image Film::to_image() const {
+  image::Image picture(width_, height_, 3);
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const glm::dvec3 value = mean(pixels_[i]);
+    for (int c = 0; c < 3; ++c)
+      picture.values[3 * i + static_cast<std::size_t>(c)] = static_cast<float>(value[c]);
+  }
+  return picture;
+}
+
 image::Exr Film::to_exr() const {
   image::Exr exr{.width = width_, .height = height_};
   for (const char* name : color_channels)

@@ -39,6 +39,8 @@ public:
   // (standard error / (|mean| + 0.1))²; over all pixels if objects cover none.
   double relative_error() const;
 
+  // The means, RGB.
+  image::Image to_image() const;
   // Channels R G B, stderr.R stderr.G stderr.B, id, and coverage: 1 where an id is, as that is
   // only given to pixels that are covered wholly. Attributes spp, meanStandardError (over pixels
   // and RGB) and relativeError. With these, from_exr() recovers the sums to float32's rounding.

@@ -109,9 +109,9 @@ std::optional<glm::dvec3> Integrator::unbent(const Surface& s, SolidId medium, S
 
 void Integrator::add_environment(Walk& walk, const Path& path) const {
   if (!environment_) return;
-  const glm::dvec3 radiance = environment_->radiance(path.ray.direction);
-  const double weight =
-      path.pdf > 0.0 ? mis_share(path.pdf, environment_->pdf(path.ray.direction)) : 1.0;
+  const EnvironmentLight::Place place = environment_->place_of(path.ray.direction);
+  const glm::dvec3 radiance = environment_->radiance(place);
+  const double weight = path.pdf > 0.0 ? mis_share(path.pdf, environment_->pdf(place)) : 1.0;
   walk.sample.radiance += path.throughput * radiance * (weight * path.open);
 }
 

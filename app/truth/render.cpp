@@ -7,17 +7,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <optional>
 
 namespace gg::truth {
 namespace {
 
-// The error itself is known no better than its samples: with fewer than 16 it may seem small
-// because nothing bright has been met yet.
-constexpr long least_samples = 16;
-
-// How many samples the next pass takes: the error is looked at as their number grows by a
-// sixteenth, and a pass stays short enough (some seconds at most) to be interrupted.
+// How many samples the next pass takes, after which the error decides whether there is another: they
+// grow by a sixteenth. It depends on no clock, so that the same command ends with the same samples.
 long pass_size(long done, long goal, long pixels) {
   constexpr long most_in_a_pass = 1L << 21;
   const long short_enough = std::max(1L, most_in_a_pass / pixels);
@@ -65,19 +62,28 @@ bool render(const Integrator& integrator, const Camera& camera, const RenderDesc
   tbb::task_arena arena(desc.threads > 0 ? desc.threads : tbb::task_arena::automatic);
   const long pixels = static_cast<long>(film.width()) * film.height();
   double error = film.samples() > 0 ? film.relative_error() : INFINITY;
+  long pass_ends = film.samples();
+  double samples_a_second = 0.0;
   while (film.samples() < desc.samples) {
-    if (desc.error > 0.0 && film.samples() >= least_samples && error <= desc.error) break;
     const long done = film.samples();
+    if (done >= pass_ends) {
+      if (desc.error > 0.0 && done >= least_samples && error <= desc.error) break;
+      pass_ends = done + pass_size(done, desc.samples, pixels);
+    }
     if (watch.stop()) return false;
+    // In parts of about a second.
+    const long count = std::clamp(static_cast<long>(samples_a_second), 1L, pass_ends - done);
+    const auto start = std::chrono::steady_clock::now();
     Film next = film;
-    const bool complete = arena.execute([&] {
-      return add_pass(integrator, camera, desc.seed, pass_size(done, desc.samples, pixels), next,
-                      watch.stop);
-    });
+    const bool complete = arena.execute(
+        [&] { return add_pass(integrator, camera, desc.seed, count, next, watch.stop); });
     if (!complete) return false;
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    samples_a_second = std::min(static_cast<double>(count) / std::max(seconds, 1e-6), 1e9);
     film = std::move(next);
     error = film.relative_error();
-    watch.report(film.samples(), error);
+    watch.report(film, error);
   }
   return true;
 }

@@ -8,6 +8,10 @@
 
 namespace gg::truth {
 
+// The error itself is known no better than its samples: with fewer it may seem small because nothing
+// bright has been met yet.
+inline constexpr long least_samples = 16;
+
 struct RenderDesc {
   std::uint64_t seed = 0;
   // Stop at this many samples per pixel, those already on the film included,
@@ -18,9 +22,9 @@ struct RenderDesc {
 };
 
 struct Watch {
-  // Told after every pass how many samples a pixel has, and the relative error.
-  std::function<void(long samples, double error)> report = [](long, double) {};
-  // Asked often, by any thread: a pass that it ends is dropped, what was there before is kept.
+  // Told about once a second what there is, and its relative error.
+  std::function<void(const Film& film, double error)> report = [](const Film&, double) {};
+  // Asked often, by any thread: work of about a second that it ends is dropped, what was there before is kept.
   std::function<bool()> stop = [] { return false; };
 };
 

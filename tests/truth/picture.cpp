@@ -112,9 +112,9 @@ TEST(truth_render, stops_when_the_error_is_small_enough) {
 TEST(truth_render, that_is_stopped_keeps_whole_passes) {
   const Film whole = setting().render({.samples = 8});
   std::atomic<long> done{0};
-  const Film stopped =
-      setting().render({.samples = 1000}, {.report = [&](long samples, double) { done = samples; },
-                                           .stop = [&] { return done >= 8; }});
+  const Film stopped = setting().render(
+      {.samples = 1000}, {.report = [&](const Film& film, double) { done = film.samples(); },
+                          .stop = [&] { return done >= 8; }});
   EXPECT_EQ(stopped.samples(), 8);
   EXPECT_EQ(stopped.to_exr().channels, whole.to_exr().channels);
 }
