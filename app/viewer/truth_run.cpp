@@ -113,10 +113,11 @@ void TruthRun::trace(Run& run, const Desc& desc) {
   // A picture is shown, and compared, as often as takes a fifth of the time.
   double spent = 0.0;
   std::optional<image::Comparison> comparison;
-  const auto report = [&](long samples, double error) {
+  const auto report = [&](const truth::Film& now, double error) {
+    const long samples = now.samples();
     const double elapsed = seconds_since(start);
     if (spent > 0.2 * elapsed && samples < desc.samples) return;
-    Report made{.picture = picture_of(film, *desc.scene),
+    Report made{.picture = picture_of(now, *desc.scene),
                 .samples = samples,
                 .error = error,
                 .seconds = elapsed};
