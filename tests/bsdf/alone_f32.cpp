@@ -2,6 +2,9 @@
 // nothing but.
 #include "glsl/f32.h"
 
+// What an engine supplies is declared and never defined here (refraction/engine.glsl).
+#pragma GCC diagnostic ignored "-Wunused-function"
+
 namespace {
 using Real = float;
 #include "glsl/shim.inl"

@@ -259,7 +259,7 @@ TEST(truth_environment, density_integrates_to_one_and_estimates_the_same_light) 
     uniform.add(light.radiance(d).y * 4.0 * pi);
     const auto s = light.sample(random);
     ASSERT_TRUE(s);
-    drawn.add(s->radiance.y / s->pdf);
+    drawn.add(light.radiance(s->place).y / s->pdf);
   }
   EXPECT_NEAR(density.mean(), 1.0, sigmas * density.error());
   EXPECT_NEAR(drawn.mean(), uniform.mean(), sigmas * std::hypot(drawn.error(), uniform.error()));
