@@ -45,7 +45,8 @@ std::vector<Region> opaque_regions_of(const std::vector<const Draw*>& draws, con
     const auto found = std::ranges::find_if(regions, [&](const Region& region) {
       const Draw& first = *region.draws.front();
       return first.material_index == draw->material_index && first.key == draw->key
-             && first.neighbours == draw->neighbours && first.own_proxy == draw->own_proxy;
+             && first.neighbours == draw->neighbours
+             && (draw->neighbours.empty() || first.own_proxy == draw->own_proxy);
     });
     if (found == regions.end()) {
       regions.push_back({{draw}, box});

@@ -84,7 +84,7 @@ TEST_P(Render, a_body_of_two_materials_is_drawn_as_one) {
   const image::Image one = draw(whole, {sky, desc}), two = draw(parts, {sky, desc});
   // Pixels are shaded by triangles where two materials take part, by the layer's rounded normals
   // where one does.
-  constexpr float rounded_normals = 0.02f; // of radiance up to 2
+  constexpr float rounded_normals = 0.03f; // of radiance up to 2
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
       for (int c = 0; c < 3; ++c)

@@ -83,7 +83,8 @@ scene::Scene bowl(scene::Material material) {
 
 } // namespace
 
-// Depth and normals lose no more than rounding. What falls beside an edge of what is seen falls to its other side in few pixels.
+// Depth and normals lose no more than rounding. What falls beside an edge of what is seen falls to its other side in few pixels, and
+// at silhouettes the share that a neighbour takes of a lobe turns with the rounding of the normal.
 TEST_P(Render, opaque_surfaces_are_the_same_by_their_pixels_and_by_their_triangles) {
   scene::Scene scene = crowd();
   scene::Light lamp;
@@ -99,7 +100,7 @@ TEST_P(Render, opaque_surfaces_are_the_same_by_their_pixels_and_by_their_triangl
   descs[2].method = needs::fis(4);
   for (const frame::FrameDesc& desc : descs)
     EXPECT_TRUE(pictures_agree(draw(scene, {sky(), desc}), draw(by_triangle(scene), {sky(), desc}),
-                               {.difference = display_step, .fraction_over = 0.002}))
+                               {.difference = display_step, .fraction_over = 0.01}))
         << static_cast<int>(desc.method);
 }
 

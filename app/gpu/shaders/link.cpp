@@ -89,25 +89,28 @@ void check_varyings(const std::string& label, const Program& program) {
   }
 }
 
-// One stage of a pipeline, from the cache if it is there. `checked` holds the unspecialised modules of those that are not.
-Module specialised(const std::string& stage, std::span<const Constant> constants, Backend backend,
-                   std::vector<std::shared_ptr<const Module>>& checked) {
-  const std::optional<std::string> key = module_key(stage, constants, backend);
-  if (key)
-    if (std::optional<Module> known = load_module(*key, stage)) return std::move(*known);
-  checked.push_back(compile(stage, backend));
-  Module module = specialize(*checked.back(), constants, backend);
-  if (key) store_module(*key, module);
-  return module;
-}
+// A stage that no earlier run has specialised: to be kept once the pipeline is found sound.
+struct Fresh {
+  std::size_t stage;
+  std::string key;
+};
 
 Program linked(const std::string& label, std::span<const std::string> stages,
                std::span<const Constant> constants, Backend backend) {
   Program program;
   std::vector<std::shared_ptr<const Module>> compiled;
-  for (const std::string& stage : stages)
-    program.modules.push_back(specialised(stage, constants, backend, compiled));
-  // Of a pipeline that an earlier run has linked the constants were checked then.
+  std::vector<Fresh> fresh;
+  for (const std::string& stage : stages) {
+    const std::optional<std::string> key = module_key(stage, constants, backend);
+    std::optional<Module> known = key ? load_module(*key, stage) : std::nullopt;
+    if (!known) {
+      compiled.push_back(compile(stage, backend));
+      if (key) fresh.push_back({program.modules.size(), *key});
+    }
+    program.modules.push_back(known ? std::move(*known)
+                                    : specialize(*compiled.back(), constants, backend));
+  }
+  // Of stages that are kept the constants were checked when they were linked first.
   if (!constants.empty() && compiled.size() == stages.size())
     check_constants(label, constants, compiled);
   for (const Module& module : program.modules) {
@@ -116,6 +119,8 @@ Program linked(const std::string& label, std::span<const std::string> stages,
   }
   check_varyings(label, program);
   std::ranges::sort(program.bindings, {}, &Binding::name);
+  for (const Fresh& stage : fresh)
+    store_module(stage.key, program.modules[stage.stage]);
   return program;
 }
 
