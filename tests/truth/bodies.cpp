@@ -31,10 +31,10 @@ scene::Scene ball_in_two_parts(const scene::Material& upper, const scene::Materi
   scene::Scene scene;
   add_ball(scene, upper, glm::vec3(0.0f), 1.0f, 16);
   scene::Mesh& mesh = scene.meshes[0];
-  scene::Indices& all = scene.indices[0];
-  const std::size_t half = all.size() / 6 * 3;
-  scene.indices.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(half), all.end());
-  all.resize(half);
+  const scene::Indices all = scene.indices[0];
+  const auto half = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 6 * 3);
+  scene.indices[0] = scene::Indices(all.begin(), half);
+  scene.indices.push_back(scene::Indices(half, all.end()));
   scene.materials.push_back(lower);
   mesh.primitives.push_back(mesh.primitives[0]);
   mesh.primitives[1].indices = 1;
