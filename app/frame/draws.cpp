@@ -1,5 +1,7 @@
 #include "frame/draws.h"
 
+#include "frame/passes/alike.h"
+
 namespace gg::frame {
 
 namespace {
@@ -14,6 +16,26 @@ gpu::Cull cull_of(const needs::LayerDraw& draw) {
     return draw.draw->both_sides ? gpu::Cull::none : gpu::Cull::back;
   }
   return gpu::Cull::none;
+}
+
+// All that a pipeline is made of but its label: passes that draw alike share one.
+std::string key_of(const gpu::PipelineDesc& desc) {
+  std::string key = desc.vertex + ' ' + desc.fragment;
+  const auto add = [&](char what, auto... values) {
+    key += ' ';
+    key += what;
+    ((key += std::to_string(static_cast<std::uint32_t>(values)) + ','), ...);
+  };
+  for (const gpu::Constant& constant : desc.constants)
+    add('c', constant.id, constant.bits);
+  for (const gpu::VertexBinding& binding : desc.bindings)
+    add('b', binding.stride, binding.step);
+  for (const gpu::Attribute& a : desc.attributes)
+    add('a', a.location, a.components, a.binding, a.offset);
+  for (const gpu::Format color : desc.colors)
+    add('o', color);
+  add('d', desc.depth, desc.depth_write, desc.depth_compare, desc.cull, desc.blend);
+  return key;
 }
 
 } // namespace
@@ -40,10 +62,7 @@ void Draws::expect(const std::function<void()>& what) {
 }
 
 gpu::PipelineRef Draws::pipeline(const gpu::PipelineDesc& desc) {
-  std::string key = desc.label + ' ' + desc.fragment;
-  for (const gpu::Constant& constant : desc.constants)
-    key += ' ' + std::to_string(constant.id) + '=' + std::to_string(constant.bits);
-  gpu::PipelineRef& found = pipelines_[key];
+  gpu::PipelineRef& found = pipelines_[key_of(desc)];
   if (!found && expecting_) expected_.push_back(desc);
   if (!found && !expecting_) found = device_.create(desc);
   return found;
@@ -76,10 +95,7 @@ Recorded Draws::recorded(const DrawPass& pass, const needs::LayerDraw& draw) {
 }
 
 Records Draws::covers(const std::vector<needs::LayerDraw>& draws) {
-  const DrawPass pass{.label = "covers",
-                      .fragment = "foreground.frag",
-                      .colors = {gpu::Format::rgba32f},
-                      .blend = gpu::Blend::over};
+  const DrawPass pass = hiding_pass("covers");
   Records records;
   for (const needs::LayerDraw& draw : draws) {
     if (!draw.draw->fills_depth) continue;

@@ -7,6 +7,7 @@
 #include "gpu/fixture.h"
 #include "gpu/shaders/compile.h"
 
+#include <chrono>
 #include <fstream>
 
 namespace gg::gpu::shaders {
@@ -109,6 +110,23 @@ TEST(module_cache, a_key_is_of_the_text_of_all_included_files_the_constants_and_
   EXPECT_NE(key("float a;", {constant(3, true)}, Backend::opengl),
             key("float a;", {constant(3, false)}, Backend::opengl));
   EXPECT_NE(key("float a;", {}, Backend::vulkan), plain);
+}
+
+TEST(module_cache, past_its_most_files_the_oldest_go_at_the_first_that_is_stored) {
+  const fs::path directory = empty_directory("module-cache-full");
+  const CacheIn moved(directory);
+  const fs::path kept = directory / "groundglass" / "shaders";
+  fs::create_directories(kept);
+  for (int i = 0; i < 1000; ++i) {
+    const fs::path file = kept / (std::to_string(i) + ".spv");
+    write(file, "");
+    fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(1 + i));
+  }
+  link("square", std::vector<std::string>{stage("square.comp")}, {}, Backend::vulkan);
+  EXPECT_EQ(files_in(directory).size(), 500u);
+  EXPECT_TRUE(fs::exists(kept / "0.spv"));
+  EXPECT_FALSE(fs::exists(kept / "999.spv"));
+  EXPECT_TRUE(fs::exists(kept / (*module_key(stage("square.comp"), {}, Backend::vulkan) + ".spv")));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // Blended surfaces over opaque ones that are shaded after the opaque pass.
+#include "frame/passes/alike.h"
 #include "frame/passes/passes.h"
 
 #include <algorithm>
@@ -9,11 +10,7 @@ namespace gg::frame {
 void declare_blended(Graph& graph, const needs::Needs& needs) {
   if (needs.over_opaque.empty() || !needs.shades_opaque_late()) return;
   const auto prepare = [](Context& context) -> Record {
-    const DrawPass pass{.label = "blended",
-                        .fragment = "opaque.frag",
-                        .colors = {color_format},
-                        .depth_write = false,
-                        .blend = gpu::Blend::over};
+    const DrawPass pass = blended_pass();
     Records records;
     for (const needs::LayerDraw& draw : context.needs.over_opaque)
       records.push_back(context.draws.recorded(pass, draw));

@@ -3,6 +3,7 @@
 // that few threads run at once, and each would pay for what any other does.
 // All of them run first for one pixel in 4 x 4. What their neighbours agree on is interpolated between them and looked up at every
 // pixel (glass_resolve.frag); the pixels between others are shaded one by one.
+#include "frame/passes/alike.h"
 #include "frame/passes/passes.h"
 #include "frame/regions.h"
 
@@ -13,8 +14,7 @@
 namespace gg::frame {
 namespace {
 
-constexpr std::uint32_t looks_around = 41, most_bounces = 42, has_walls = 44,
-                        apart = 45; // constants of the glass stages
+constexpr std::uint32_t apart = 45; // constant of stages/glass_cells.glsl
 
 // Regions of the layer that take these passes.
 struct Solid {
@@ -46,10 +46,7 @@ void declare_front_faces(Graph& graph, const needs::Needs& needs, std::size_t l)
   for (const Solid& solid : solids_of(needs, l))
     pass.draws += solid.region->draws.size();
   pass.prepare = [l](Context& context) -> Record {
-    const DrawPass hides{.label = "hides",
-                         .fragment = "foreground.frag",
-                         .colors = {color_format},
-                         .blend = gpu::Blend::over};
+    const DrawPass hides = hiding_pass("hides");
     Records records;
     for (const Solid& solid : solids_of(context.needs, l))
       for (const needs::Draw* part : solid.region->draws)
@@ -169,17 +166,14 @@ private:
     }
     pass.prepare = [l = layer_, step = rate_.step, label, fragment, blend,
                     colors = targets.size()](Context& context) -> Record {
-      const DrawPass draw_pass{
-          .label = label,
-          .by_region = true,
-          .fragment = fragment,
-          .colors = std::vector(colors, gpu::Format::rgba32f),
-          .depth_write = false,
-          .depth_compare = gpu::Compare::less,
-          .blend = blend,
-          .constants = {gpu::constant(looks_around, context.needs.company),
-                        gpu::constant(most_bounces, needs::most_bounces),
-                        gpu::constant(has_walls, !context.needs.walls.empty())}};
+      const DrawPass draw_pass{.label = label,
+                               .by_region = true,
+                               .fragment = fragment,
+                               .colors = std::vector(colors, gpu::Format::rgba32f),
+                               .depth_write = false,
+                               .depth_compare = gpu::Compare::less,
+                               .blend = blend,
+                               .constants = glass_constants(context.needs)};
       std::vector<RecordedRegion> regions;
       for (const Solid& solid : solids_of(context.needs, l)) {
         const needs::Draw* draw = solid.region->draws.front();

@@ -1,4 +1,5 @@
 // What hides what is behind it, the sky, and blended surfaces that lie over these alone.
+#include "frame/passes/alike.h"
 #include "frame/passes/passes.h"
 
 #include <algorithm>
@@ -10,11 +11,7 @@ void declare_opaque(Graph& graph, const needs::Needs& needs) {
   const bool with_blended = !needs.shades_opaque_late();
   const auto prepare = [with_blended](Context& context) -> Record {
     const DrawPass opaque{.label = "opaque", .fragment = "opaque.frag", .colors = {color_format}};
-    const DrawPass blended{.label = "blended",
-                           .fragment = "opaque.frag",
-                           .colors = {color_format},
-                           .depth_write = false,
-                           .blend = gpu::Blend::over};
+    const DrawPass blended = blended_pass();
     Records records, over;
     for (const needs::Draw* draw : context.needs.opaque)
       records.push_back(context.draws.recorded(opaque, {draw, needs::Faces::as_material}));

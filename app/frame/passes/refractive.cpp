@@ -1,4 +1,5 @@
 // A layer of glass, and blended surfaces among it.
+#include "frame/passes/alike.h"
 #include "frame/passes/passes.h"
 #include "frame/regions.h"
 
@@ -6,9 +7,6 @@
 
 namespace gg::frame {
 namespace {
-
-constexpr std::uint32_t looks_around = 41, most_bounces = 42,
-                        has_walls = 44; // constants of the glass stages
 
 bool is_wall(const needs::Draw& draw) {
   const auto of = [&](needs::Feature feature) { return value_of(draw.key, feature); };
@@ -28,18 +26,9 @@ Record prepare(Context& context, std::size_t l) {
                             .fragment = "refractive.frag",
                             .colors = {color_format},
                             .blend = gpu::Blend::over,
-                            .constants = {gpu::constant(looks_around, context.needs.company),
-                                          gpu::constant(most_bounces, needs::most_bounces),
-                                          gpu::constant(has_walls, !context.needs.walls.empty())}};
-  const DrawPass blended{.label = "blended",
-                         .fragment = "opaque.frag",
-                         .colors = {color_format},
-                         .depth_write = false,
-                         .blend = gpu::Blend::over};
-  const DrawPass hides{.label = "hides",
-                       .fragment = "foreground.frag",
-                       .colors = {color_format},
-                       .blend = gpu::Blend::over};
+                            .constants = glass_constants(context.needs)};
+  const DrawPass blended = blended_pass();
+  const DrawPass hides = hiding_pass("hides");
   // Walls of no thickness in two steps, which hold fewer registers than one.
   DrawPass transmission = refractive;
   transmission.label = "thin transmission";

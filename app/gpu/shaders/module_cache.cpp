@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/sealed.h"
+#include "glsl/includes.h"
 #include "gpu/shaders/compile.h"
 #include "gpu/shaders/includes.h"
 
@@ -49,33 +50,29 @@ private:
   std::array<std::uint64_t, 2> halves_{0xcbf29ce484222325ull, 0x84222325cbf29ce4ull};
 };
 
-// The file of an `#include "x"` line, or nothing.
-std::optional<fs::path> included(std::string_view line, const fs::path& from) {
-  constexpr std::string_view directive = "#include";
-  const std::size_t start = line.find_first_not_of(" \t");
-  if (start == std::string_view::npos || !line.substr(start).starts_with(directive))
-    return std::nullopt;
-  const std::size_t open = line.find('"', start), close = line.find('"', open + 1);
-  if (open == std::string_view::npos || close == std::string_view::npos) return std::nullopt;
-  return find_include(std::string(line.substr(open + 1, close - open - 1)), from);
-}
+// The text of a stage with every file that it may include, whatever its conditions say.
+class HashedText final : public glsl::IncludeWalk {
+public:
+  explicit HashedText(const fs::path& stage) { walk(stage); }
+  std::string hash() const { return hash_.text(); }
 
-// The text of a file and, at first mention, of the files that it includes, whatever its conditions say.
-void add_text(const fs::path& file, std::set<fs::path>& seen, Hash& hash) {
-  if (!seen.insert(file).second) return;
-  const std::string text = read_text(file);
-  hash.add(text);
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    if (const auto next = included(std::string_view(text).substr(at, end - at), file))
-      add_text(*next, seen, hash);
-    at = end + 1;
+private:
+  fs::path find(const std::string& name, const Place& from) override {
+    return find_include(name, from.file).value_or(fs::path());
   }
-}
+  void text(std::string_view line, const Place&) override {
+    hash_.add(line);
+    hash_.add("\n");
+  }
 
+  Hash hash_;
+};
+
+// What the process keeps.
 struct Texts {
   std::mutex mutex;
   std::map<fs::path, std::string> hashes;
+  std::set<fs::path> tidied; // cache folders
 };
 
 Texts& texts() {
@@ -87,12 +84,7 @@ Texts& texts() {
 std::string text_hash(const fs::path& file) {
   const std::lock_guard lock(texts().mutex);
   std::string& text = texts().hashes[file];
-  if (text.empty()) {
-    Hash hash;
-    std::set<fs::path> seen;
-    add_text(file, seen, hash);
-    text = hash.text();
-  }
+  if (text.empty()) text = HashedText(file).hash();
   return text;
 }
 
@@ -102,7 +94,12 @@ std::optional<fs::path> folder() {
   return directory;
 }
 
+// Once in the life of the process: a run stores a few hundred at most.
 void forget_oldest(const fs::path& directory) {
+  {
+    const std::lock_guard lock(texts().mutex);
+    if (!texts().tidied.insert(directory).second) return;
+  }
   std::vector<std::pair<fs::file_time_type, fs::path>> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory))
     files.emplace_back(entry.last_write_time(), entry.path());

@@ -1,0 +1,36 @@
+// What several passes draw alike.
+#pragma once
+
+#include "frame/context.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace gg::frame {
+
+// Surfaces that cover what is behind them in part.
+inline DrawPass blended_pass() {
+  return {.label = "blended",
+          .fragment = "opaque.frag",
+          .colors = {color_format},
+          .depth_write = false,
+          .blend = gpu::Blend::over};
+}
+
+// Faces into the depth, where they hide what is behind them, and no colour.
+inline DrawPass hiding_pass(std::string label) {
+  return {.label = std::move(label),
+          .fragment = "foreground.frag",
+          .colors = {color_format},
+          .blend = gpu::Blend::over};
+}
+
+// Constants of the glass stages that depend on the whole frame, not on a material (app/needs/features.h has those).
+inline std::vector<gpu::Constant> glass_constants(const needs::Needs& needs) {
+  constexpr std::uint32_t looks_around = 41, most_bounces = 42, has_walls = 44;
+  return {gpu::constant(looks_around, needs.company),
+          gpu::constant(most_bounces, needs::most_bounces),
+          gpu::constant(has_walls, !needs.walls.empty())};
+}
+
+} // namespace gg::frame
