@@ -3,6 +3,7 @@
 #include "commands/commands.h"
 #include "commands/json_file.h"
 #include "commands/options.h"
+#include "commands/sequence.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/progress.h"
@@ -10,6 +11,7 @@
 #include "frame/display.h"
 #include "frame/renderer.h"
 #include "image/image.h"
+#include "scene/framing.h"
 #include "scene/origin.h"
 #include "scene/undrawn.h"
 
@@ -29,6 +31,7 @@ struct Options {
   SceneOptions scene;
   DeviceOptions device;
   MethodOptions method;
+  Sequence sequence;
   std::string out, json, tonemap = "neutral";
   float exposure = 0.0f; // EV
   int frames = 0;
@@ -41,6 +44,10 @@ double ms_since(Clock::time_point start) {
 
 // Everything that can be wrong with where the results go, before the work that makes them.
 void check_outputs(const Options& o) {
+  if (o.out.empty())
+    throw Error(ExitCode::usage, "--output", "is missing",
+                "Say where the picture goes: -o picture.png; or the frames of an animation: "
+                "--frames-out DIR.");
   if (!image::is_writable_extension(o.out))
     throw Error(ExitCode::usage, o.out, "has an extension that is not known",
                 "Write .png or .jpg (for display), or .exr, .hdr or .pfm (linear radiance).");
@@ -110,8 +117,7 @@ void print_times(std::FILE* to, const nlohmann::json& report, int frames) {
     fmt::print(to, "  {:<20} {:8.2f} ms\n", label, pass_ms.get<double>());
 }
 
-void capture(const Options& o) {
-  check_outputs(o);
+void check(const Options& o) {
   if (o.method.samples < 1 || o.method.samples > 4096)
     throw Error(ExitCode::usage, "--samples", "must be from 1 to 4096");
   if (o.frames < 0) throw Error(ExitCode::usage, "--frames", "must be 0 or more");
@@ -120,6 +126,40 @@ void capture(const Options& o) {
   if (o.method.smith != "separable" && o.method.smith != "correlated")
     throw Error(ExitCode::usage, "--smith", "'" + o.method.smith + "' is not known",
                 "Choose separable or correlated.");
+}
+
+void say_undrawn(const Options& o, const scene::Scene& scene) {
+  for (const std::string& extension : scene::undrawn(scene))
+    note(o.scene.scene + ": " + extension
+         + " is read and not drawn yet: its materials are drawn without it");
+}
+
+frame::FrameDesc description(const Options& o, Size size, const NamedMethod& method) {
+  return {.width = size.width,
+          .height = size.height,
+          .samples = o.method.samples,
+          .camera = {},
+          .method = method.method,
+          .correlated_smith = o.method.smith == "correlated",
+          .multiple_scattering = o.method.multiscatter};
+}
+
+frame::EnvironmentView lighting(const Options& o, const environment::Stack& stack) {
+  return {&stack, glm::radians(o.scene.env_rotation), o.scene.env_intensity};
+}
+
+image::Image draw(frame::Renderer& renderer, int samples) {
+  Progress progress("drawing", samples);
+  for (int i = 0; i < samples; ++i) {
+    renderer.draw_sample(i);
+    progress.update(i + 1);
+  }
+  return renderer.read();
+}
+
+void capture(const Options& o) {
+  check_outputs(o);
+  check(o);
   const Size size = parse_size(o.scene.size);
   const frame::ToneMap tone_map = frame::parse_tone_map(o.tonemap);
   const ChosenMethod chosen = choose_method(o.scene, o.device, o.method);
@@ -128,16 +168,9 @@ void capture(const Options& o) {
   auto start = Clock::now();
   scene::Scene scene = load_scene(o.scene);
   const double load_ms = ms_since(start);
-  for (const std::string& extension : scene::undrawn(scene))
-    note(o.scene.scene + ": " + extension
-         + " is read and not drawn yet: its materials are drawn without it");
-  frame::FrameDesc desc{.width = size.width,
-                        .height = size.height,
-                        .samples = o.method.samples,
-                        .camera = choose_camera(o.scene, scene, size),
-                        .method = method.method,
-                        .correlated_smith = o.method.smith == "correlated",
-                        .multiple_scattering = o.method.multiscatter};
+  say_undrawn(o, scene);
+  frame::FrameDesc desc = description(o, size, method);
+  desc.camera = choose_camera(o.scene, scene, size);
   scene::move_origin_to(desc.camera, scene);
   const auto map = load_environment(o.scene, scene);
 
@@ -147,20 +180,13 @@ void capture(const Options& o) {
   if (map) {
     stack = environment::build(*device, *map);
     device->finish();
-    desc.environment = {&*stack, glm::radians(o.scene.env_rotation), o.scene.env_intensity};
+    desc.environment = lighting(o, *stack);
   }
   const double environment_ms = ms_since(start);
 
   frame::Renderer renderer(*device, scene, desc);
   start = Clock::now();
-  {
-    Progress progress("drawing", desc.samples);
-    for (int i = 0; i < desc.samples; ++i) {
-      renderer.draw_sample(i);
-      progress.update(i + 1);
-    }
-  }
-  image::Image picture = renderer.read();
+  image::Image picture = draw(renderer, desc.samples);
   const double draw_ms = ms_since(start);
   if (image::is_display_extension(o.out))
     picture = frame::for_display(picture, o.exposure, tone_map);
@@ -192,16 +218,69 @@ void capture(const Options& o) {
                 "is met by no method", "The picture is drawn by the nearest: " + method.name + ".");
 }
 
+// The frames of an animation, one file each. Device and environment serve them all.
+void capture_sequence(Options o) {
+  check(o);
+  if (!o.out.empty() || !o.json.empty() || o.frames > 0)
+    throw Error(ExitCode::usage, "--frames-out", "is given with -o, --json or --frames",
+                "Those are of one picture: leave them out.");
+  const Size size = parse_size(o.scene.size);
+  const frame::ToneMap tone_map = frame::parse_tone_map(o.tonemap);
+  check_sequence(o.sequence, o.scene);
+  o.scene.time = o.sequence.from;
+  const NamedMethod method = choose_method(o.scene, o.device, o.method).named;
+  scene::Scene scene = load_scene(o.scene);
+  say_undrawn(o, scene);
+  const std::vector<SequenceFrame> frames = frames_of(o.sequence, *scene.posed);
+  begin_sequence(o.sequence, o.scene,
+                 fmt::format("{} {} {} {} {} {} {}", method.name, o.method.smith,
+                             o.method.multiscatter, o.method.samples, o.device.backend, o.exposure,
+                             o.tonemap));
+  // A camera that is framed by what it sees would move with it: the first frame's stays.
+  const scene::Camera framed = choose_camera(o.scene, scene, size);
+  const bool stays = camera_is_framed(o.scene, scene);
+
+  const std::unique_ptr<gpu::Device> device = open_device(o.device);
+  const auto map = load_environment(o.scene, scene);
+  std::optional<environment::Stack> stack;
+  if (map) stack = environment::build(*device, *map);
+  Progress progress("drawing frames", static_cast<long>(frames.size()));
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (std::filesystem::exists(frames[i].path)) {
+      ++kept;
+    } else {
+      o.scene.time = frames[i].time;
+      scene = load_scene(o.scene);
+      frame::FrameDesc desc = description(o, size, method);
+      desc.camera = stays ? framed : choose_camera(o.scene, scene, size);
+      if (stays) scene::fit_depth(desc.camera, scene);
+      scene::move_origin_to(desc.camera, scene);
+      if (stack) desc.environment = lighting(o, *stack);
+      frame::Renderer renderer(*device, scene, desc);
+      image::Image picture = draw(renderer, desc.samples);
+      if (image::is_display_extension(frames[i].path))
+        picture = frame::for_display(picture, o.exposure, tone_map);
+      image::write(frames[i].path, picture);
+    }
+    progress.update(static_cast<long>(i) + 1);
+  }
+  fmt::print("{}: {} frames of {} x {} pixels of the animation '{}', {} to {} s, {} on {}{}\n",
+             o.sequence.directory, frames.size(), size.width, size.height, scene.posed->animation,
+             frames.front().time, frames.back().time, method.name, device->info().backend,
+             kept ? fmt::format("; {} were there already", kept) : "");
+}
+
 } // namespace
 
 void add_capture(Command program) {
   auto options = std::make_shared<Options>();
   Command command = program.subcommand("capture", "Draw a scene into a picture file");
   add_options(command, options->scene);
-  command
-      .option("-o,--output", &options->out,
-              "Picture to write: .png, .jpg, .exr, .hdr or .pfm; - for standard output, as .png")
-      .required();
+  command.option(
+      "-o,--output", &options->out,
+      "Picture to write: .png, .jpg, .exr, .hdr or .pfm; - for standard output, as .png");
+  add_options(command, options->sequence);
   add_options(command, options->device);
   add_options(command, options->method);
   command.option("--exposure", &options->exposure,
@@ -211,7 +290,9 @@ void add_capture(Command program) {
                  "Time so many frames of one sample per pixel and print the times");
   command.option("--json", &options->json,
                  "Write device, sizes and times to this file, or to standard output: -");
-  command.action([options] { capture(*options); });
+  command.action([options] {
+    options->sequence.directory.empty() ? capture(*options) : capture_sequence(*options);
+  });
 }
 
 } // namespace gg::commands

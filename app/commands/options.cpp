@@ -61,6 +61,9 @@ void add_options(Command command, SceneOptions& o) {
 void add_view_options(Command command, SceneOptions& o) {
   command.option("--material", &o.materials,
                  "NAME=PRESET[,key=value...], * for every material; may be repeated");
+  command.option("--time", &o.time, "Pose the scene by its animation, so many seconds into it");
+  command.option("--animation", &o.animation,
+                 "Which animation, by name or index: the first, and the time is 0 if not given");
   command.option(
       "--env", &o.env,
       "Environment: an equirectangular .hdr or .exr, a name (see list), a colour R,G,B, or none");
@@ -110,7 +113,12 @@ glm::vec3 parse_vec3(const std::string& text, const std::string& option) {
 }
 
 scene::Scene load_scene(const SceneOptions& options) {
-  scene::Scene scene = scene::load(options.scene);
+  if (options.time && !std::isfinite(*options.time))
+    refuse("--time", std::to_string(*options.time), "It is a time in seconds.");
+  std::optional<scene::Instant> instant;
+  if (options.time || !options.animation.empty())
+    instant = {.time = options.time.value_or(0.0f), .animation = options.animation};
+  scene::Scene scene = scene::load(options.scene, instant);
   for (const std::string& material : options.materials)
     scene::apply_material(scene, material);
   return scene;
@@ -140,6 +148,11 @@ scene::Camera choose_camera(const SceneOptions& options, const scene::Scene& sce
                                                                 / static_cast<float>(size.height));
   if (options.fovy) camera.fovy = *options.fovy * radians;
   return camera;
+}
+
+bool camera_is_framed(const SceneOptions& options, const scene::Scene& scene) {
+  return options.eye.empty() ? options.camera.empty() && scene.cameras.empty()
+                             : options.target.empty();
 }
 
 std::optional<environment::Map> load_environment(const SceneOptions& options,
@@ -202,6 +215,8 @@ std::string typed_view(const SceneOptions& o) {
   const auto add = [&](const char* option, const std::string& value, const std::string& usual) {
     if (value != usual) line += std::string(" ") + option + " " + in_shell(value);
   };
+  if (o.time) add("--time", fmt::format("{}", *o.time), "");
+  add("--animation", o.animation, "");
   for (const std::string& material : o.materials)
     add("--material", material, "");
   add("--env", o.env, defaults.env);

@@ -19,6 +19,8 @@ namespace gg::commands {
 // As typed; the functions below turn them into things and complain about what does not exist.
 struct SceneOptions {
   std::string scene;
+  std::optional<float> time;          // seconds into the animation; nothing: as the nodes stand
+  std::string animation;              // name or index; empty: the first, if a time is given
   std::vector<std::string> materials; // 'NAME=PRESET[,k=v]'
   std::string env;           // a file, a name, `none`, a colour "R,G,B", or empty: the default
   float env_rotation = 0.0f; // degrees
@@ -70,6 +72,8 @@ std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options);
 
 // What --env means: a file, or nothing for `none` and a colour.
 std::optional<std::filesystem::path> environment_file(const SceneOptions& options);
+// Whether the camera comes from the scene's bounds, which move with it, and not from the file or the options.
+bool camera_is_framed(const SceneOptions& options, const scene::Scene& scene);
 // The options that differ from their defaults, each after a space, as they would be typed in a shell.
 std::string typed_view(const SceneOptions& options);
 // A word as a shell reads it back.

@@ -35,6 +35,8 @@ std::string words_of(const glm::vec3& v) {
 SceneOptions options_of(const viewer::View& view, int width, int height) {
   SceneOptions o;
   o.scene = view.scene;
+  o.time = view.time;
+  o.animation = view.animation;
   o.materials = view.all_materials();
   o.env = view.env;
   o.env_rotation = view.env_rotation;
@@ -138,6 +140,8 @@ void view(Options o) {
   const Size size = parse_size(o.scene.size);
   viewer::Settings settings = std::move(o.settings);
   settings.view = {.scene = o.scene.scene,
+                   .time = o.scene.time,
+                   .animation = o.scene.animation,
                    .materials = o.scene.materials,
                    .edits = {},
                    .env = o.scene.env,

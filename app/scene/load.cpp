@@ -3,6 +3,7 @@
 #include "scene/apply.h"
 #include "scene/compact.h"
 #include "scene/gltf/accessors.h"
+#include "scene/gltf/animation.h"
 #include "scene/gltf/document.h"
 #include "scene/gltf/extras.h"
 #include "scene/gltf/fail.h"
@@ -138,11 +139,16 @@ std::vector<bool> materials_used(const Scene& scene) {
 
 } // namespace
 
-Scene load(const std::filesystem::path& path) {
+Scene load(const std::filesystem::path& path, const std::optional<Instant>& instant) {
   Document document(path);
-  const Hierarchy hierarchy(document);
   Scene scene;
   scene.path = path.string();
+  if (instant)
+    scene.posed = pose_at(document, *instant);
+  else if (!document.animations().empty())
+    note(document.name()
+         + ": has animations; it is shown as its nodes stand, or at a time of them by --time");
+  const Hierarchy hierarchy(document);
   read_textures(document, scene);
   for (int i = 0; i < static_cast<int>(document.model().materials.size()); ++i)
     scene.materials.push_back(read_material(document, i));

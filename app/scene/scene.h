@@ -114,10 +114,16 @@ struct Material {
   float dispersion = 0.0f; // KHR_materials_dispersion: 20 / Abbe number
   float anisotropy_strength = 0.0f, anisotropy_rotation = 0.0f;
   float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
+  float iridescence = 0.0f, iridescence_ior = 1.3f; // KHR_materials_iridescence: a thin film
+  glm::vec2 iridescence_thickness{100.0f, 400.0f};  // nm: where its map is 0, and where it is 1
+  float diffuse_transmission = 0.0f;                // KHR_materials_diffuse_transmission
+  glm::vec3 diffuse_transmission_color{1.0f};
 
   Slot base_color_map, metallic_roughness_map, normal_map, occlusion_map, emissive_map;
   Slot specular_map, specular_color_map, transmission_map, thickness_map, anisotropy_map;
   Slot clearcoat_map, clearcoat_roughness_map, clearcoat_normal_map;
+  Slot iridescence_map, iridescence_thickness_map;
+  Slot diffuse_transmission_map, diffuse_transmission_color_map;
 
   // Set by presets (or glTF extras): what glTF itself cannot say.
   std::optional<Conductor>
@@ -155,8 +161,15 @@ struct Camera {
   std::string fault;             // what is wrong with it in the file: it cannot be looked through
 };
 
+// The animation that a scene is posed by. Seconds.
+struct Posed {
+  std::string animation;         // its name, or its index if it has none
+  float time = 0.0f, end = 0.0f; // when, and when its last key is
+};
+
 struct Scene {
   std::string path;
+  std::optional<Posed> posed; // nothing: the nodes as they stand in the file
   std::vector<Stream> streams;
   std::vector<Indices> indices;
   std::vector<Mesh> meshes;

@@ -11,6 +11,9 @@ struct Feature {
 constexpr Feature features[] = {
     {"KHR_materials_anisotropy", [](const Material& m) { return m.anisotropy_strength > 0.0f; }},
     {"KHR_materials_clearcoat", [](const Material& m) { return m.clearcoat > 0.0f; }},
+    {"KHR_materials_iridescence", [](const Material& m) { return m.iridescence > 0.0f; }},
+    {"KHR_materials_diffuse_transmission",
+     [](const Material& m) { return m.diffuse_transmission > 0.0f; }},
 };
 
 } // namespace

@@ -37,6 +37,8 @@ struct Edit {
 
 struct View {
   std::string scene;
+  std::optional<float> time; // seconds into the animation; nothing: as the nodes stand
+  std::string animation;
   std::vector<std::string> materials; // --material as given, applied before the edits
   std::vector<Edit> edits;            // by material of the file; may be shorter
   std::string env;                    // a file, `none`, a colour, or empty: the default

@@ -96,7 +96,15 @@ TEST(materials, every_extension_is_read) {
          {"KHR_materials_dispersion", {{"dispersion", 0.5}}},
          {"KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}, {"anisotropyRotation", 1}}},
          {"KHR_materials_clearcoat",
-          {{"clearcoatFactor", 0.5}, {"clearcoatRoughnessFactor", 0.25}}}}}});
+          {{"clearcoatFactor", 0.5}, {"clearcoatRoughnessFactor", 0.25}}},
+         {"KHR_materials_iridescence",
+          {{"iridescenceFactor", 0.5},
+           {"iridescenceIor", 1.75},
+           {"iridescenceThicknessMinimum", 50},
+           {"iridescenceThicknessMaximum", 800}}},
+         {"KHR_materials_diffuse_transmission",
+          {{"diffuseTransmissionFactor", 0.25},
+           {"diffuseTransmissionColorFactor", {1, 0.5, 0}}}}}}});
   EXPECT_EQ(m.emissive, glm::vec3(4, 2, 0));
   EXPECT_EQ(m.alpha_mode, scene::AlphaMode::mask);
   EXPECT_EQ(m.alpha_cutoff, 0.25f);
@@ -113,6 +121,11 @@ TEST(materials, every_extension_is_read) {
   EXPECT_EQ(m.anisotropy_rotation, 1.0f);
   EXPECT_EQ(m.clearcoat, 0.5f);
   EXPECT_EQ(m.clearcoat_roughness, 0.25f);
+  EXPECT_EQ(m.iridescence, 0.5f);
+  EXPECT_EQ(m.iridescence_ior, 1.75f);
+  EXPECT_EQ(m.iridescence_thickness, glm::vec2(50, 800));
+  EXPECT_EQ(m.diffuse_transmission, 0.25f);
+  EXPECT_EQ(m.diffuse_transmission_color, glm::vec3(1, 0.5, 0));
 }
 
 TEST(materials, what_is_not_drawn_yet_is_listed_by_name) {

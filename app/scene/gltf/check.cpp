@@ -187,6 +187,20 @@ void check(const nlohmann::json& json, const std::string& file) {
        check_kind);
 }
 
+void check_animation(const nlohmann::json& root, std::size_t index, const std::string& file) {
+  const nlohmann::json& animation = root["animations"][index];
+  const std::string place = fmt::format("animations[{}]", index);
+  const Checker checker(root, file);
+  checker.object(animation, animation_rules(), place);
+  const std::size_t samplers = animation["samplers"].size();
+  for (std::size_t i = 0; i < animation["channels"].size(); ++i) {
+    const auto sampler = animation["channels"][i]["sampler"].get<std::size_t>();
+    if (sampler >= samplers)
+      fail(file, fmt::format("{}.channels[{}].sampler", place, i),
+           fmt::format("is {}, and there are {} samplers", sampler, samplers));
+  }
+}
+
 std::optional<std::string> fault_of(const nlohmann::json& root, const char* array,
                                     std::size_t index, const std::string& file) {
   const std::string place = fmt::format("{}[{}]", array, index);

@@ -14,6 +14,9 @@ namespace gg::scene::gltf {
 // reads without a fault, and the code that follows need not check again.
 void check(const nlohmann::json& json, const std::string& file);
 
+// Checks one of "animations", which check() leaves alone: a file is drawn whatever is wrong with what is not played.
+void check_animation(const nlohmann::json& root, std::size_t index, const std::string& file);
+
 // What check() would say of one entry of "materials" or "cameras"; nothing if it is sound.
 std::optional<std::string> fault_of(const nlohmann::json& root, const char* array,
                                     std::size_t index, const std::string& file);

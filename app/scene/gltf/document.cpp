@@ -70,6 +70,17 @@ std::string Document::camera_fault(int camera) const {
   return found == camera_faults_.end() ? std::string() : found->second;
 }
 
+std::vector<nlohmann::json> Document::animations() const {
+  const auto found = container_.json.find("animations");
+  if (found == container_.json.end() || !found->is_array()) return {};
+  return *found;
+}
+
+const nlohmann::json& Document::animation(std::size_t index) const {
+  check_animation(container_.json, index, name());
+  return container_.json["animations"][index];
+}
+
 std::span<const std::byte> Document::buffer(int buffer) {
   const std::string place = element("buffers", buffer);
   const auto& json = container_.json["buffers"][static_cast<std::size_t>(buffer)];

@@ -17,6 +17,12 @@ public:
   explicit Document(const std::filesystem::path& path);
 
   const tinygltf::Model& model() const { return model_; }
+  // To be posed by an animation.
+  tinygltf::Node& node(int index) { return model_.nodes[static_cast<std::size_t>(index)]; }
+  // The animations as the file has them, none of them checked yet.
+  std::vector<nlohmann::json> animations() const;
+  // One of them, checked. Throws Error(input) if it is not what glTF says.
+  const nlohmann::json& animation(std::size_t index) const;
   const std::string& name() const { return container_.name; }
 
   // What is wrong with a camera; empty if nothing. The model has a plain one in its place then.

@@ -10,11 +10,23 @@ namespace gg::scene::gltf {
 namespace {
 
 constexpr std::array known = {
-    "KHR_mesh_quantization",           "KHR_texture_transform",      "EXT_texture_webp",
-    "KHR_draco_mesh_compression",      "EXT_meshopt_compression",    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength", "KHR_materials_unlit",        "KHR_materials_ior",
-    "KHR_materials_specular",          "KHR_materials_transmission", "KHR_materials_volume",
-    "KHR_materials_dispersion",        "KHR_materials_anisotropy",   "KHR_materials_clearcoat",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+    "EXT_texture_webp",
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",
+    "KHR_materials_ior",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_volume",
+    "KHR_materials_dispersion",
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_iridescence",
+    "KHR_materials_diffuse_transmission",
 };
 
 // Known by what is done instead: the fallback image is used, or the file is refused where it is
@@ -50,8 +62,6 @@ void check_extensions(const nlohmann::json& json, const std::string& file) {
     for (const std::string name : json["extensionsUsed"])
       if (!is_known(name) && name != basis)
         note("the extension " + printable(name) + " is not modelled: what it says is ignored");
-  if (json.contains("animations"))
-    note("animations are not played: the scene is shown as its nodes stand in the file");
 }
 
 } // namespace gg::scene::gltf

@@ -8,7 +8,7 @@
 namespace gg::scene::gltf {
 
 // Throws Error(unsupported) naming the first required extension that is not known; says once, by
-// name, which of the others are in use and ignored. Animations are said too: nothing plays them.
+// name, which of the others are in use and ignored.
 void check_extensions(const nlohmann::json& json, const std::string& file);
 
 } // namespace gg::scene::gltf

@@ -115,11 +115,23 @@ void decode(const std::vector<Job>& jobs, Scene& scene) {
 } // namespace
 
 std::vector<Slot*> slots(Material& m) {
-  return {&m.base_color_map,      &m.metallic_roughness_map, &m.normal_map,
-          &m.occlusion_map,       &m.emissive_map,           &m.specular_map,
-          &m.specular_color_map,  &m.transmission_map,       &m.thickness_map,
-          &m.anisotropy_map,      &m.clearcoat_map,          &m.clearcoat_roughness_map,
-          &m.clearcoat_normal_map};
+  return {&m.base_color_map,
+          &m.metallic_roughness_map,
+          &m.normal_map,
+          &m.occlusion_map,
+          &m.emissive_map,
+          &m.specular_map,
+          &m.specular_color_map,
+          &m.transmission_map,
+          &m.thickness_map,
+          &m.anisotropy_map,
+          &m.clearcoat_map,
+          &m.clearcoat_roughness_map,
+          &m.clearcoat_normal_map,
+          &m.iridescence_map,
+          &m.iridescence_thickness_map,
+          &m.diffuse_transmission_map,
+          &m.diffuse_transmission_color_map};
 }
 
 void read_textures(const Document& document, Scene& scene) {

@@ -95,6 +95,21 @@ void read_extensions(const ExtensionMap& extensions, Material& m) {
     m.clearcoat_roughness_map = slot_or_none(e, "clearcoatRoughnessTexture");
     m.clearcoat_normal_map = slot_or_none(e, "clearcoatNormalTexture");
   });
+  with("KHR_materials_iridescence", [&](const Value& e) {
+    m.iridescence = unit(number_or(e, "iridescenceFactor", 0.0f));
+    m.iridescence_map = slot_or_none(e, "iridescenceTexture");
+    m.iridescence_ior = number_or(e, "iridescenceIor", m.iridescence_ior);
+    m.iridescence_thickness = {number_or(e, "iridescenceThicknessMinimum", 100.0f),
+                               number_or(e, "iridescenceThicknessMaximum", 400.0f)};
+    m.iridescence_thickness_map = slot_or_none(e, "iridescenceThicknessTexture");
+  });
+  with("KHR_materials_diffuse_transmission", [&](const Value& e) {
+    m.diffuse_transmission = unit(number_or(e, "diffuseTransmissionFactor", 0.0f));
+    m.diffuse_transmission_map = slot_or_none(e, "diffuseTransmissionTexture");
+    m.diffuse_transmission_color = glm::min(
+        vector_or<3>(e, "diffuseTransmissionColorFactor", glm::vec3(1.0f)), glm::vec3(1.0f));
+    m.diffuse_transmission_color_map = slot_or_none(e, "diffuseTransmissionColorTexture");
+  });
 }
 
 } // namespace

@@ -42,5 +42,7 @@ struct Rule {
 
 // The rules of the whole file, in schema.cpp.
 std::span<const Rule> schema();
+// Of an entry of "animations", which the rules of the file leave out.
+std::span<const Rule> animation_rules();
 
 } // namespace gg::scene::gltf

@@ -60,6 +60,20 @@ constexpr Rule clearcoat[] = {
     {.key = "clearcoatRoughnessTexture", .kind = object, .members = texture_info},
     {.key = "clearcoatNormalTexture", .kind = object, .members = texture_info},
 };
+constexpr Rule iridescence[] = {
+    {.key = "iridescenceFactor", .kind = number, .low = 0, .high = one},
+    {.key = "iridescenceTexture", .kind = object, .members = texture_info},
+    {.key = "iridescenceIor", .kind = number, .low = 1},
+    {.key = "iridescenceThicknessMinimum", .kind = number, .low = 0},
+    {.key = "iridescenceThicknessMaximum", .kind = number, .low = 0},
+    {.key = "iridescenceThicknessTexture", .kind = object, .members = texture_info},
+};
+constexpr Rule diffuse_transmission[] = {
+    {.key = "diffuseTransmissionFactor", .kind = number, .low = 0, .high = one},
+    {.key = "diffuseTransmissionTexture", .kind = object, .members = texture_info},
+    {.key = "diffuseTransmissionColorFactor", .kind = numbers, .low = 0, .high = one, .size = 3},
+    {.key = "diffuseTransmissionColorTexture", .kind = object, .members = texture_info},
+};
 constexpr Rule material_extensions[] = {
     {.key = "KHR_materials_emissive_strength", .kind = object, .members = emissive_strength},
     {.key = "KHR_materials_unlit", .kind = object},
@@ -70,6 +84,8 @@ constexpr Rule material_extensions[] = {
     {.key = "KHR_materials_dispersion", .kind = object, .members = dispersion},
     {.key = "KHR_materials_anisotropy", .kind = object, .members = anisotropy},
     {.key = "KHR_materials_clearcoat", .kind = object, .members = clearcoat},
+    {.key = "KHR_materials_iridescence", .kind = object, .members = iridescence},
+    {.key = "KHR_materials_diffuse_transmission", .kind = object, .members = diffuse_transmission},
 };
 constexpr Rule metallic_roughness[] = {
     {.key = "baseColorFactor", .kind = numbers, .low = 0, .high = one, .size = 4},
@@ -197,6 +213,25 @@ constexpr Rule skin[] = {
     {.key = "name", .kind = string},
 };
 
+constexpr Rule target[] = {
+    {.key = "node", .kind = index, .target = "/nodes"},
+    {.key = "path", .kind = string, .required = true},
+};
+constexpr Rule channel[] = {
+    {.key = "sampler", .kind = integer, .required = true, .low = 0, .high = INT_MAX},
+    {.key = "target", .kind = object, .required = true, .members = target},
+};
+constexpr Rule keys[] = {
+    {.key = "input", .kind = index, .required = true, .target = "/accessors"},
+    {.key = "output", .kind = index, .required = true, .target = "/accessors"},
+    {.key = "interpolation", .kind = choice, .target = "LINEAR STEP CUBICSPLINE"},
+};
+constexpr Rule animation[] = {
+    {.key = "name", .kind = string},
+    {.key = "channels", .kind = objects, .required = true, .members = channel},
+    {.key = "samplers", .kind = objects, .required = true, .members = keys},
+};
+
 constexpr Rule texture_sources[] = {
     {.key = "source", .kind = index, .required = true, .target = "/images"},
 };
@@ -289,6 +324,10 @@ constexpr Rule root[] = {
 
 std::span<const Rule> schema() {
   return root;
+}
+
+std::span<const Rule> animation_rules() {
+  return animation;
 }
 
 } // namespace gg::scene::gltf
