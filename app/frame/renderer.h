@@ -31,7 +31,9 @@ public:
   // Another camera, size, method, environment or number of samples, and the scene's materials as they are by now. What is on the
   // device stays: geometry, images, tables, pipelines, targets of the same size.
   void set(const FrameDesc& desc);
-  void materials_changed() { set(desc_); }
+  void materials_changed() { scene_changed(), set(desc_); }
+  // Before set(): the scene's instances and lights have been moved, or materials bound other volumes than before.
+  void scene_changed() { shapes_.scene_changed(); }
 
   // Draws the frame. With `times`, adds what each pass took, summed over the samples, under its
   // label.

@@ -170,13 +170,15 @@ void UploadedScene::upload_blocks() {
   if (!neighbour_blocks_.empty())
     update_uniforms(device_, neighbours_, "neighbours", neighbour_blocks(*needs_));
 
-  if (lights_) return;
   std::vector<uniforms::LightData> lights;
   for (const scene::Light& light : needs_->scene->lights)
     lights.push_back(block_of(light));
   if (lights.empty()) lights.emplace_back();
-  lights_ = device_.create(gpu::BufferDesc{"lights", bytes(lights).size(), gpu::Use::storage},
-                           bytes(lights));
+  if (lights_) // as many as before, which may have been moved
+    device_.upload(lights_, 0, bytes(lights));
+  else
+    lights_ = device_.create(gpu::BufferDesc{"lights", bytes(lights).size(), gpu::Use::storage},
+                             bytes(lights));
 }
 
 void UploadedScene::upload_textures() {

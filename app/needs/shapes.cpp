@@ -1,8 +1,31 @@
 #include "needs/shapes.h"
 
+#include <utility>
 #include <vector>
 
 namespace gg::needs {
+namespace {
+
+std::vector<bool> solids_of(const scene::Scene& scene) {
+  std::vector<bool> solid;
+  for (const scene::Material& material : scene.materials)
+    solid.push_back(scene::is_solid(material));
+  return solid;
+}
+
+} // namespace
+
+Shapes::Shapes(const scene::Scene& scene)
+    : scene_(scene), solid_(solids_of(scene)), bodies_(scene::body_materials(scene)) {}
+
+void Shapes::scene_changed() {
+  proxies_.reset();
+  std::vector<bool> solid = solids_of(scene_);
+  if (solid == solid_) return;
+  solid_ = std::move(solid);
+  bodies_ = scene::body_materials(scene_);
+  shapes_.clear();
+}
 
 const scene::SolidShape& Shapes::of(const scene::Instance& instance, scene::Index body_of) {
   const auto [at, is_new] = shapes_.try_emplace({instance.mesh, body_of});

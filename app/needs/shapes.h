@@ -15,8 +15,9 @@ namespace gg::needs {
 
 class Shapes {
 public:
-  explicit Shapes(const scene::Scene& scene) // must outlive this
-      : scene_(scene), bodies_(scene::body_materials(scene)) {}
+  explicit Shapes(const scene::Scene& scene); // must outlive this
+  // The scene's instances have been moved, or its materials changed: what depends on them is worked out again.
+  void scene_changed();
   // The material that stands for the body of this one (scene/bodies.h).
   scene::Index body(scene::Index material) const {
     return bodies_[static_cast<std::size_t>(material)];
@@ -28,6 +29,7 @@ public:
 
 private:
   const scene::Scene& scene_;
+  std::vector<bool> solid_; // by material: bodies depend on no more of them
   std::vector<scene::Index> bodies_;
   std::map<std::pair<scene::Index, scene::Index>, scene::SolidShape> shapes_;
   std::shared_ptr<const Proxies> proxies_;

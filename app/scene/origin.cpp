@@ -41,18 +41,30 @@ std::vector<glm::vec3> recentre(Scene& scene) {
 
 } // namespace
 
-void move_origin(Scene& scene, const glm::vec3& origin) {
+Origin::Origin(Scene& scene) : scene_(scene), bounds_(scene.bounds) {
   const std::vector<glm::vec3> centres = recentre(scene);
-  for (Instance& instance : scene.instances) {
-    const glm::dmat4 world(instance.world);
-    const glm::dvec4 centre(centres[static_cast<std::size_t>(instance.mesh)], 1.0);
-    instance.world[3] = glm::vec4(world * centre - glm::dvec4(origin, 0.0));
-  }
-  for (Light& light : scene.lights)
-    light.position -= origin;
-  for (Camera& camera : scene.cameras)
-    camera.world[3] -= glm::vec4(origin, 0.0f);
-  if (!scene.bounds.empty()) scene.bounds.low -= origin, scene.bounds.high -= origin;
+  for (const Instance& instance : scene.instances)
+    instances_.push_back(glm::dmat4(instance.world)
+                         * glm::dvec4(centres[static_cast<std::size_t>(instance.mesh)], 1.0));
+  for (const Light& light : scene.lights)
+    lights_.push_back(light.position);
+  for (const Camera& camera : scene.cameras)
+    cameras_.push_back(camera.world[3]);
+}
+
+void Origin::move_to(const glm::vec3& origin) {
+  for (std::size_t i = 0; i < instances_.size(); ++i)
+    scene_.instances[i].world[3] = glm::vec4(instances_[i] - glm::dvec4(origin, 0.0));
+  for (std::size_t i = 0; i < lights_.size(); ++i)
+    scene_.lights[i].position = lights_[i] - origin;
+  for (std::size_t i = 0; i < cameras_.size(); ++i)
+    scene_.cameras[i].world[3] = cameras_[i] - glm::vec4(origin, 0.0f);
+  scene_.bounds = bounds_;
+  if (!bounds_.empty()) scene_.bounds.low -= origin, scene_.bounds.high -= origin;
+}
+
+void move_origin(Scene& scene, const glm::vec3& origin) {
+  Origin(scene).move_to(origin);
 }
 
 void move_origin_to(Camera& camera, Scene& scene) {

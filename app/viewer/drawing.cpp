@@ -44,7 +44,7 @@ frame::FrameDesc Application::frame_desc(double scale, int samples) const {
 
 void Application::restart(bool quick) {
   session_.scale = quick ? pace_.scale() : 1.0;
-  picture_->set(frame_desc(session_.scale, quick ? 1 : session_.view.samples));
+  picture_->set(frame_desc(session_.scale, quick ? 1 : session_.view.samples), !quick);
   display_->see(session_.camera, width_, height_);
   stale_ = false;
   quick_ = quick;
@@ -86,14 +86,14 @@ void Application::draw_second() {
   }
   if (!second_) {
     second_ = std::make_unique<Picture>(window_->device());
-    second_->open(session_.scene);
+    second_->open_as(*picture_);
   }
   if (second_method_ != session_.second) {
     second_method_ = session_.second;
     second_->light_as(*picture_);
     frame::FrameDesc desc = frame_desc(1.0, session_.view.samples);
     desc.method = commands_.method(second_method_);
-    second_->set(desc);
+    second_->set(desc, true);
   }
   if (!second_->done()) draw_still(*second_, session_.second_ms);
 }

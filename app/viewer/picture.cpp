@@ -1,10 +1,19 @@
 #include "viewer/picture.h"
 
+#include <algorithm>
+
 namespace gg::viewer {
 
 void Picture::open(std::shared_ptr<const scene::Scene> scene) {
   renderer_.reset(); // before the scene that it reads
   scene_ = std::move(scene);
+  drawn_scene_ = std::make_shared<Drawn>(*scene_);
+}
+
+void Picture::open_as(const Picture& other) {
+  renderer_.reset();
+  scene_ = other.scene_;
+  drawn_scene_ = other.drawn_scene_;
 }
 
 void Picture::light(const environment::Map* map) {
@@ -25,17 +34,23 @@ void Picture::set_light(float rotation, float intensity) {
   intensity_ = intensity;
 }
 
-void Picture::set(frame::FrameDesc desc) {
+void Picture::set(frame::FrameDesc desc, bool exact) {
   desc_ = std::move(desc);
-  restart();
-}
-
-void Picture::restart() {
+  Drawn& drawn = *drawn_scene_;
+  exact |= !renderer_;
+  if (exact) {
+    drawn.at = desc_.camera.world[3];
+    drawn.origin.move_to(drawn.at);
+  }
+  desc_.camera.world[3] -= glm::vec4(drawn.at, 0.0f);
+  std::ranges::copy(scene_->materials, drawn.scene.materials.begin()); // where renderers know them
   desc_.environment = {stack_.get(), rotation_, intensity_};
-  if (renderer_)
+  if (renderer_) {
+    if (exact) renderer_->scene_changed();
     renderer_->set(desc_);
-  else
-    renderer_ = std::make_unique<frame::Renderer>(device_, *scene_, desc_);
+  } else {
+    renderer_ = std::make_unique<frame::Renderer>(device_, drawn.scene, desc_);
+  }
   drawn_ = 0;
 }
 

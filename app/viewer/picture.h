@@ -6,6 +6,7 @@
 #include "frame/renderer.h"
 #include "gpu/device.h"
 #include "image/image.h"
+#include "scene/origin.h"
 #include "scene/scene.h"
 
 #include <map>
@@ -18,14 +19,17 @@ class Picture {
 public:
   explicit Picture(gpu::Device& device) : device_(device) {}
 
-  // Replaces what is drawn; the map may be null. Nothing is drawn before set(). Throws Error.
+  // Replaces what is drawn; the map may be null. Nothing is drawn before set(). Throws Error. Of the scene a copy is drawn, whose
+  // origin is where the camera is.
   void open(std::shared_ptr<const scene::Scene> scene);
+  void open_as(const Picture& other); // the same copy: both have one camera
   void light(const environment::Map* map);         // another environment
   void light_as(const Picture& other);             // the same cubes, and its rotation and intensity
   void set_light(float rotation, float intensity); // radians; of the environment
   // Starts again with this camera, size, method and number of samples, and the scene's materials as they are by now; `desc`'s
-  // environment is the picture's own.
-  void set(frame::FrameDesc desc);
+  // environment is the picture's own. `exact`: as capture draws it, to the bit; otherwise the origin stays where it was, and what
+  // is worked out for the whole scene with it.
+  void set(frame::FrameDesc desc, bool exact);
 
   bool is_open() const { return renderer_ != nullptr; }
   int drawn() const { return drawn_; }
@@ -41,10 +45,16 @@ public:
   const frame::Renderer& renderer() const { return *renderer_; }
 
 private:
-  void restart();
+  struct Drawn {
+    explicit Drawn(const scene::Scene& of) : scene(of), origin(scene) {}
+    scene::Scene scene;
+    scene::Origin origin;
+    glm::vec3 at{0.0f}; // where its origin is
+  };
 
   gpu::Device& device_;
   std::shared_ptr<const scene::Scene> scene_;
+  std::shared_ptr<Drawn> drawn_scene_;
   std::shared_ptr<const environment::Stack> stack_;
   float rotation_ = 0.0f, intensity_ = 1.0f;
   frame::FrameDesc desc_;

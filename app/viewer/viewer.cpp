@@ -87,7 +87,7 @@ void Application::bench() {
       if (paced) {
         draw_quick();
       } else {
-        picture_->set(frame_desc(1.0, 1));
+        picture_->set(frame_desc(1.0, 1), false);
         picture_->draw_sample();
         window_->device().finish();
       }

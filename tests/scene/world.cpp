@@ -242,6 +242,24 @@ TEST(origin, far_from_it_nothing_is_lost) {
   }
 }
 
+// Wherever it has been before: a window moves it with its camera, and draws what capture draws.
+TEST(origin, moved_again_is_as_moved_once) {
+  const auto loaded = scene::load(asset("scenes/GlassVaseFlowers.glb"));
+  const glm::vec3 to(0.1f, 20.3f, -0.7f);
+  scene::Scene once = loaded, again = loaded;
+  scene::move_origin(once, to);
+  scene::Origin origin(again);
+  for (const glm::vec3& at : {glm::vec3(1e5f, 1.1f, 0.3f), glm::vec3(0.0f), to})
+    origin.move_to(at);
+  ASSERT_FALSE(once.instances.empty());
+  for (std::size_t i = 0; i < once.instances.size(); ++i)
+    EXPECT_EQ(once.instances[i].world, again.instances[i].world);
+  for (std::size_t i = 0; i < once.lights.size(); ++i)
+    EXPECT_EQ(once.lights[i].position, again.lights[i].position);
+  EXPECT_EQ(once.bounds.low, again.bounds.low);
+  EXPECT_EQ(once.bounds.high, again.bounds.high);
+}
+
 TEST(lights, are_read_with_their_place_and_direction) {
   GltfFile file;
   file.triangle();

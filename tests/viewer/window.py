@@ -95,12 +95,16 @@ def a_dropped_scene_is_shown_and_a_broken_one_leaves_it():
 
 
 def the_truth_is_shown_beside_the_picture_and_the_wipe_is_dragged():
-    with Desk() as desk, viewer(desk, "--no-panel", size=(320, 240)).open() as v:
+    # A truth that ends: the screen comes to rest, which the hand waits for.
+    with Desk() as desk, viewer(desk, "--no-panel", "--truth", "8", size=(320, 240)).open() as v:
         def bar():
-            row = desk.screen()[20]
-            return [x for x in range(5, 315) if row[x] == (255, 255, 255) and desk.screen()[200][x] == (255, 255, 255)]
-        v.key("t")
+            screen = desk.screen() # above the status line
+            return [x for x in range(5, 315) if screen[20][x] == screen[180][x] == (255, 255, 255)]
         v.wait_for(lambda: any(155 < x < 165 for x in bar()), "the bar between picture and truth")
+        v.key("t")
+        v.wait_for(lambda: not bar(), "the picture alone")
+        v.key("t")
+        v.wait_for(lambda: any(155 < x < 165 for x in bar()), "the bar again")
         v.drag((160, 120), (80, 120))
         v.wait_for(lambda: any(72 < x < 88 for x in bar()), "the bar where it was dragged to")
         assert v.close() == 0, v.errors()
