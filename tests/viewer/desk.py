@@ -54,7 +54,9 @@ class Desk:
 class Viewer:
     def __init__(self, desk, program, arguments, size=(960, 600)):
         self.desk, self.program = desk, program
-        environment = dict(os.environ, DISPLAY=desk.name, XDG_CACHE_HOME=str(desk.path / "cache"))
+        # Not the user's caches, but kept: compiled shaders serve the next test.
+        cache = Path(program).parent / "tests/viewer/cache"
+        environment = dict(os.environ, DISPLAY=desk.name, XDG_CACHE_HOME=str(cache))
         self.process = subprocess.Popen(
             [program, "view", *arguments, "--size", f"{size[0]}x{size[1]}"], cwd=desk.path, env=environment,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=(desk.path / "stderr").open("w"))
