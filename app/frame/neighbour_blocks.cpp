@@ -74,13 +74,24 @@ uniforms::NeighbourData block_of(const scene::Scene& scene, const Material& m) {
   return block;
 }
 
-// Absorption along the mean chord of a ball, 4/3 of its radius.
-glm::vec3 absorbed(const Material& m, float radius) {
+// Metres through the body of a proxy: the mean chord of a ball, 4/3 of its radius; of a box to the opposite face; what the
+// material says of a sheet.
+float depth_of(const needs::Proxies& proxies, const needs::Proxy& proxy) {
+  if (proxy.radius > 0.0f) return 4.0f / 3.0f * proxy.radius;
+  const glm::vec3 n = glm::normalize(glm::cross(proxy.side_u, proxy.side_v));
+  float depth = 0.0f;
+  for (const needs::Proxy& other : proxies.all)
+    if (other.body == proxy.body && proxy.one_sided)
+      depth = std::max(depth, glm::dot(n, proxy.centre - other.centre));
+  return depth > 0.0f ? depth : proxy.material->thickness;
+}
+
+glm::vec3 absorbed(const Material& m, float metres) {
   if (!(m.thickness > 0.0f) || !std::isfinite(m.attenuation_distance)
       || !(m.attenuation_distance > 0.0f))
     return glm::vec3(1.0f);
   return glm::pow(glm::max(m.attenuation_color, glm::vec3(1e-6f)),
-                  glm::vec3(4.0f / 3.0f * radius / m.attenuation_distance));
+                  glm::vec3(metres / m.attenuation_distance));
 }
 
 } // namespace
@@ -111,8 +122,8 @@ std::vector<uniforms::NeighboursData> neighbour_blocks(const needs::Needs& needs
       own.sideU = glm::vec4(proxy.side_u, proxy.one_sided ? 1.0f : 0.0f);
       const bool continues = before && before->body == proxy.body && proxy.radius == 0.0f;
       own.sideV = glm::vec4(proxy.side_v, continues ? 1.0f : 0.0f);
-      if (proxy.radius > 0.0f)
-        own.through *= glm::vec4(absorbed(*proxy.material, proxy.radius), 1.0f);
+      if (own.emission.w > 0.0f)
+        own.through *= glm::vec4(absorbed(*proxy.material, depth_of(*needs.proxies, proxy)), 1.0f);
       before = &proxy;
     }
   }

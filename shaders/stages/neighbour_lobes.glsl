@@ -1,0 +1,120 @@
+// neighbour_lobes.glsl: radiance that arrives by a lobe past neighbours, and through those of glass.
+// Frame    world, metres; directions unit.
+// Needs    stages/neighbours.glsl, which includes it.
+
+// What all glass that a lobe meets passes of it, as one lobe that leaves it.
+struct PassedOn {
+    vec3 weight;    // 0: nothing
+    vec3 point;     // these three: sums, times `share`
+    vec3 direction;
+    float variance; // radians²
+    float share;
+};
+
+PassedOn nothingPassedOn() {
+    PassedOn on;
+    on.weight = vec3(0.0);
+    on.point = vec3(0.0);
+    on.direction = vec3(0.0);
+    on.variance = 0.0;
+    on.share = 0.0;
+    return on;
+}
+
+// Radians: a proxy's radius is known to a fiftieth, and what a ball bends changes by twice that and more.
+const float UNSURE = 0.05;
+
+// Through a ball, which bends each ray by 2 (i - t) about its axis (Snell's i and t) and spreads a cone by the derivatives of that; or
+// straight through a pane. weight: of the lobe that meets it.
+PassedOn withPassed(PassedOn on, NeighbourData o, LobeShare met, vec3 p, vec3 weight) {
+    vec3 leaves = met.direction;
+    vec3 point = met.distance * met.direction;
+    float spread = 1.0;
+    float ior = ofPixel(o.emission.w);
+    float c = max(dot(-met.direction, met.n), 0.05);
+    if (isSphere(o)) {
+        float cosT = sqrt(max(1.0 - (1.0 - c * c) / (ior * ior), 0.0025));
+        vec3 inside = met.direction / ior + (c / ior - cosT) * met.n;
+        // The chord mirrors the normal: the second face bends by as much as the first.
+        vec3 far = met.n + 2.0 * cosT * inside;
+        leaves = normalize(ior * inside - (ior * cosT - c) * far);
+        point += 2.0 * cosT * o.centre.w * inside;
+        float reach = 2.0 * length(o.centre.xyz - p) / o.centre.w;
+        float across = 1.0 - reach * (1.0 - 1.0 / ior);
+        float along = 1.0 - reach * (1.0 - c / (ior * cosT)); // cos i cancels: a cone meets the ball at a slant
+        spread = 0.5 * (across * across + along * along);
+    }
+    float share = weight.y;
+    float rough = 1.5 * o.base.w; // fitted to the ball grid's gold in all its widths
+    on.weight += weight * passedBy(o, c);
+    on.point += share * (p + point);
+    on.direction += share * leaves;
+    on.variance += share * (met.sigma * met.sigma * spread + rough * rough + UNSURE * UNSURE);
+    on.share += share;
+    return on;
+}
+
+// The next neighbour that takes a share of a lobe, from the place `i` of the list on: machines that run pixels in lockstep then shade
+// as often as one pixel has neighbours that do, not as often as there are neighbours.
+struct NextShare {
+    int i; // counts.x: there is none
+    bool startsBody;
+    LobeShare met;
+};
+
+NextShare nextShare(int i, bool opaqueOnly, vec3 p, vec3 n, vec3 direction, float sigma) {
+    NextShare next;
+    next.startsBody = false;
+    next.met = noShare(direction);
+    for (next.i = i; next.i < ofPixel(neighbours.counts.x); ++next.i) {
+        NeighbourData o = neighbours.each[next.i];
+        next.startsBody = next.startsBody || startsBody(o);
+        if (opaqueOnly && isGlass(o)) continue;
+        next.met = neighbourShare(o, o.centre.xyz - p, direction, sigma);
+        next.met.share *= lobeIntegral(2.0 * dot(n, next.met.direction) / max(next.met.sigma, 0.05));
+        if (!(next.met.share < LEAST_SHARE)) break;
+    }
+    return next;
+}
+
+// Radiance that arrives at p, over the horizon of n, by a lobe. The environment comes in as all of the lobe without the parts that
+// neighbours take, at their own widths, so that no lamp behind one is seen; of a lobe that is nearly taken, no more than four times
+// what is left of it, as the parts' Gaussians and the lobe's agree to some percent only. What glass passes is followed once more,
+// to what is opaque.
+vec3 surroundingRadiance(vec3 p, vec3 n, vec3 direction, float sigma) {
+    vec3 sum = vec3(0.0);
+    vec3 weight = vec3(1.0);
+    const int ways = glassAround ? 2 : 1;
+    for (int way = 0; way < ways; ++way) {
+        Composed c = nothingTaken();
+        PassedOn on = nothingPassedOn();
+        vec3 far = farRadiance(direction, sigma);
+        vec3 hidden = vec3(0.0);
+        for (int i = 0; i < ofPixel(neighbours.counts.x); ++i) {
+            NextShare next = nextShare(i, way > 0, p, n, direction, sigma);
+            i = next.i;
+            if (i >= ofPixel(neighbours.counts.x)) break;
+            if (next.startsBody) c = nextBody(c);
+            LobeShare met = next.met;
+            NeighbourData o = neighbours.each[i];
+            float own = ownShare(c, met.share);
+            vec3 taken = weight * c.before * own;
+            sum += taken * neighbourRadiance(o, p + met.distance * met.direction, -met.direction, met.n, spreadOf(o, met),
+                                             1.0 - met.share * min(sigma / 0.65, 1.0));
+            if (isGlass(o)) on = withPassed(on, o, met, p, taken);
+            // The product of two Gaussians, the lobe and what it meets.
+            float part = met.sigma * sigma * inversesqrt(max(met.sigma * met.sigma + sigma * sigma, 1e-12));
+            hidden += c.before * own * farRadiance(met.direction, part);
+            c = withTaken(c, met.share, vec3(0.0));
+        }
+        sum += weight * clamp(far - hidden, vec3(0.0), min(4.0 * c.passed.y, 1.0) * far);
+        if (!(on.share > 0.0)) break;
+        weight = on.weight;
+        p = on.point / on.share;
+        vec3 mean = on.direction / on.share; // shorter than 1 where directions differ
+        direction = normalize(mean + 1e-6 * n);
+        n = direction;
+        sigma = sqrt(min(on.variance / on.share + max(1.0 - dot(mean, mean), 0.0), 1.0));
+    }
+    return sum;
+}

@@ -1,0 +1,37 @@
+// neighbour_shadows.glsl: what passes neighbours of the light of a lamp or a sun.
+// Frame    world, metres; directions unit.
+// Needs    stages/neighbours.glsl, which includes it.
+
+// A ball of glass is a lens: light across wi is drawn together about its axis by a focal length of ior / (2 (ior - 1)) radii from its
+// centre, and apart again. What passes it to a point at `centre` from the ball's, over what would without it.
+float ballGathers(vec3 centre, float radius, vec3 wi, float ior, float alpha) {
+    float focal = ior * radius / max(2.0 * (ior - 1.0), 1e-2);
+    float x = dot(centre, wi);
+    float paraxial = radius * (x - focal) / focal;
+    float rough = 1.5 * alpha * x;
+    float r2 = radius * radius;
+    float x2 = paraxial * paraxial + rough * rough + 0.0625 * r2;
+    vec3 beside = centre - x * wi;
+    float b2 = dot(beside, beside);
+    // Its aberration: rays near its rim, half of all, cross far before the focus.
+    float wide2 = x2 + r2;
+    return 0.5 * r2 * (exp(-b2 / x2) / x2 + exp(-b2 / wide2) / wide2);
+}
+
+// Of light that comes from `range` metres away (1e30: from afar), what passes all that stands between; sigma: half of its radius.
+vec3 passesNeighbours(vec3 p, vec3 wi, float range, float sigma) {
+    Composed c = nothingTaken();
+    for (int i = 0; i < ofPixel(neighbours.counts.x); ++i) {
+        NeighbourData o = neighbours.each[i];
+        LobeShare met = neighbourShare(o, o.centre.xyz - p, wi, sigma);
+        if (startsBody(o)) c = nextBody(c);
+        if (met.share < LEAST_SHARE || met.distance > range) continue;
+        vec3 tint = vec3(0.0);
+        if (isGlass(o)) {
+            tint = passedBy(o, max(dot(-wi, met.n), 0.0));
+            if (isSphere(o)) tint *= ballGathers(o.centre.xyz - p, o.centre.w, wi, o.emission.w, o.base.w);
+        }
+        c = withTaken(c, met.share, tint);
+    }
+    return c.passed;
+}
