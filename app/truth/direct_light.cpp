@@ -4,6 +4,7 @@
 #include "truth/mis.h"
 #include "truth/walk.h"
 
+#include <array>
 #include <cmath>
 
 namespace gg::truth {
@@ -13,16 +14,23 @@ void Integrator::add_direct_light(Walk& walk, const Path& path, const Meeting& m
   if (closure.only_deltas()) return;
   const bool alone = settings_.transport == Transport::surface_only;
 
+  // From inside a solid that bends light the environment is seen through its boundary only.
+  std::array<bool, 2> seen{};
+  for (const bool across : {false, true})
+    seen[across] =
+        alone || media_.ior(media_.at(m.where_after(across).inside), path.channel) == 1.0;
+
   // f |wi.n| towards a light, times what arrives from there, over what stands in the way.
   struct Link {
     Scattered scattered;
     bool open = false;
     bool across = false;
   };
-  const auto link = [&](const glm::dvec3& wi) {
+  const auto link = [&](const glm::dvec3& wi, bool infinite) {
     Link l;
     l.across = glm::dot(wi, closure.n()) < 0.0;
     if (!m.leaves(l.across) || (!alone && !m.right_side(wi, l.across))) return l;
+    if (infinite && !seen[l.across]) return l;
     l.scattered = closure.evaluate(wi);
     if (alone && l.across && m.solid())
       l.scattered.f_cos *= closure.interface().eta * closure.interface().eta;
@@ -35,16 +43,44 @@ void Integrator::add_direct_light(Walk& walk, const Path& path, const Meeting& m
                   m.where_after(across), path.channel, punctual, walk.random);
   };
 
-  if (environment_) {
-    const auto drawn = environment_->sample(walk.random);
-    const Link l = drawn ? link(drawn->direction) : Link{};
-    // From inside a solid that bends light the environment is seen through its boundary only.
-    if (l.open
-        && (alone || media_.ior(media_.at(m.where_after(l.across).inside), path.channel) == 1.0))
-      walk.sample.radiance += path.throughput * l.scattered.f_cos
-                              * environment_->radiance(drawn->place)
-                              * (mis_share(drawn->pdf, l.scattered.pdf) * path.open / drawn->pdf)
-                              * visible(drawn->direction, INFINITY, l.across, false);
+  if (environment_ && (seen[0] || seen[1])) {
+    // Of several directions, one by what would arrive from it [TalbotCE05]: the environment is looked
+    // up often and a shadow ray is sent once.
+    struct Candidate {
+      glm::dvec3 wi{0.0}, arrives{0.0};
+      bool across = false;
+    };
+    std::array<Candidate, environment_candidates> candidates;
+    std::array<double, environment_candidates> sums{};
+    double sum = 0.0;
+    for (int k = 0; k < environment_candidates; ++k) {
+      const auto drawn = environment_->sample(walk.random, k, environment_candidates);
+      const Link l = drawn ? link(drawn->direction, true) : Link{};
+      if (l.open) {
+        const double density = environment_candidates * drawn->pdf;
+        candidates[static_cast<std::size_t>(k)] = {
+            drawn->direction,
+            path.throughput * l.scattered.f_cos * environment_->radiance(drawn->place)
+                * (mis_share(density, l.scattered.pdf) * path.open / density),
+            l.across};
+        sum += largest(candidates[static_cast<std::size_t>(k)].arrives);
+      }
+      sums[static_cast<std::size_t>(k)] = sum;
+    }
+    // What is small beside the environment is looked for as seldom as it is small.
+    const double worth = environment_->mean_radiance() / 32.0;
+    const double chance = std::min(sum / worth, 1.0);
+    if (sum > 0.0 && (chance == 1.0 || walk.random.uniform() < chance)) {
+      const double u = walk.random.uniform() * sum;
+      std::size_t chosen = 0;
+      while (chosen + 1 < candidates.size() && sums[chosen] <= u)
+        ++chosen;
+      const Candidate& c = candidates[chosen];
+      const double one = largest(c.arrives);
+      if (one > 0.0)
+        walk.sample.radiance += c.arrives * (sum / (one * chance))
+                                * visible(c.wi, INFINITY, c.across, false);
+    }
   }
 
   if (scene_.lights.empty()) return;
@@ -59,7 +95,7 @@ void Integrator::add_direct_light(Walk& walk, const Path& path, const Meeting& m
     const double part = largest(arrival.irradiance);
     left -= part;
     if (left >= 0.0 || !(part > 0.0)) continue;
-    if (const Link l = link(arrival.wi); l.open)
+    if (const Link l = link(arrival.wi, false); l.open)
       walk.sample.radiance += path.throughput * l.scattered.f_cos * arrival.irradiance
                               * (total / part)
                               * visible(arrival.wi, arrival.distance, l.across, true);
@@ -71,7 +107,10 @@ void Integrator::add_direct_light(Walk& walk, const Path& path, const Meeting& m
 // surface that it starts a rounding off.
 glm::dvec3 Integrator::shadow(Ray ray, glm::dvec3 from, Whereabouts where, int channel,
                               bool through_walls, Random& random) const {
-  if (!casts_clear_shadows_) return glm::dvec3(geometry_.occluded(ray) ? 0.0 : 1.0);
+  // A ray that comes from air to a solid ends there if the solid bends light, whatever comes behind.
+  const bool passes = through_walls ? passes_to_lights_ : passes_straight_;
+  if (!passes && where.inside.empty() && where.not_there.empty())
+    return glm::dvec3(geometry_.occluded(ray) ? 0.0 : 1.0);
   const glm::dvec3 end = ray.origin + ray.far * ray.direction; // where it is finite
   glm::dvec3 passed(1.0);
   while (const auto hit = geometry_.intersect(ray)) {

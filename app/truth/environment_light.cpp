@@ -9,13 +9,24 @@ namespace {
 
 using std::numbers::pi;
 
-// Of a distribution cumulated from 0 to 1 in n + 1 steps, the cell that u falls into. Cells of no
-// width are never drawn.
+// Of a distribution cumulated from 0 to 1 in n + 1 steps, the cell that u falls into, searched from
+// `first` on. Cells of no width are never drawn.
 template <class T>
-int cell_at(const T* cumulated, int n, double u) {
-  const T* const found = std::upper_bound(cumulated + 1, cumulated + n, static_cast<double>(u),
-                                          [](double value, T step) { return value < step; });
-  return static_cast<int>(found - cumulated) - 1;
+int cell_at(const T* cumulated, int n, double u, int first) {
+  int cell = first;
+  while (cell < n - 1 && static_cast<double>(cumulated[cell + 1]) <= u)
+    ++cell;
+  return cell;
+}
+
+// Where the search begins for u in [k / n, (k + 1) / n).
+template <class T>
+void index_of(const T* cumulated, int n, std::int32_t* first) {
+  int cell = 0;
+  for (int k = 0; k < n; ++k) {
+    cell = cell_at(cumulated, n, static_cast<double>(k) / n, cell);
+    first[k] = cell;
+  }
 }
 
 } // namespace
@@ -52,8 +63,21 @@ EnvironmentLight::EnvironmentLight(environment::Map map, double rotation, double
         rows_[static_cast<std::size_t>(y)] + total * solid_angle;
   }
   if (const double total = rows_.back(); total > 0.0)
+  {
+    mean_ = intensity_ * total / (3.0 * 2.0 * width_);
     for (double& sum : rows_)
       sum /= total;
+  }
+  index_cells();
+}
+
+void EnvironmentLight::index_cells() {
+  first_row_.resize(static_cast<std::size_t>(height_));
+  index_of(rows_.data(), height_, first_row_.data());
+  first_cell_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y)
+    index_of(cells_.data() + y * (static_cast<std::size_t>(width_) + 1), width_,
+             first_cell_.data() + y * static_cast<std::size_t>(width_));
 }
 
 glm::dvec3 EnvironmentLight::texel(int x, int y) const {
@@ -74,17 +98,29 @@ glm::dvec3 EnvironmentLight::radiance(const Place& place) const {
   const double left = std::floor(x), top = std::floor(y);
   const double fx = x - left, fy = y - top;
   const int i = static_cast<int>(left), j = static_cast<int>(top);
+  const auto column = [&](int k) { return k < 0 ? k + width_ : k >= width_ ? k - width_ : k; };
+  const auto row = [&](int k) { return std::clamp(k, 0, height_ - 1); };
+  const auto at = [&](int across, int down) { return glm::dvec3(map_.at(across, down)); };
+  const int i0 = column(i), i1 = column(i + 1), j0 = row(j), j1 = row(j + 1);
   return intensity_
-         * ((texel(i, j) * (1.0 - fx) + texel(i + 1, j) * fx) * (1.0 - fy)
-            + (texel(i, j + 1) * (1.0 - fx) + texel(i + 1, j + 1) * fx) * fy);
+         * ((at(i0, j0) * (1.0 - fx) + at(i1, j0) * fx) * (1.0 - fy)
+            + (at(i0, j1) * (1.0 - fx) + at(i1, j1) * fx) * fy);
 }
 
-std::optional<EnvironmentLight::Drawn> EnvironmentLight::sample(Random& random) const {
+std::optional<EnvironmentLight::Drawn> EnvironmentLight::sample(Random& random, int stratum,
+                                                                int strata) const {
   if (!(rows_.back() > 0.0 && intensity_ > 0.0)) return std::nullopt;
-  const int row = cell_at(rows_.data(), height_, random.uniform());
+  // A rounding below 1 the sum is not reached by (strata - 1 + u) / strata.
+  const double across = std::min((stratum + random.uniform()) / strata, 1.0 - 0x1p-53);
+  const int row = cell_at(rows_.data(), height_, across,
+                          first_row_[static_cast<std::size_t>(across * height_)]);
   const float* const cells =
       cells_.data() + static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1);
-  const int column = cell_at(cells, width_, random.uniform());
+  const double along = random.uniform();
+  const int column = cell_at(
+      cells, width_, along,
+      first_cell_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_)
+                  + static_cast<std::size_t>(along * width_)]);
   const double y = glm::mix(edges_[static_cast<std::size_t>(row)],
                             edges_[static_cast<std::size_t>(row) + 1], random.uniform());
   Drawn drawn;

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -30,24 +31,32 @@ public:
   // the poles.
   glm::dvec3 radiance(const glm::dvec3& direction) const { return radiance(place_of(direction)); }
   glm::dvec3 radiance(const Place& place) const;
-  // Nothing if the environment is black.
-  std::optional<Drawn> sample(Random& random) const;
+  // Nothing if the environment is black. Of `strata` directions each is drawn from its own part of
+  // the cumulated power, so that together they find a small bright light as often as it is bright.
+  std::optional<Drawn> sample(Random& random, int stratum = 0, int strata = 1) const;
   // The density with which sample() draws the direction, 1/sr.
   double pdf(const glm::dvec3& direction) const { return pdf(place_of(direction)); }
   double pdf(const Place& place) const;
   // For those who ask for both.
   Place place_of(const glm::dvec3& direction) const;
+  // Over all directions and RGB.
+  double mean_radiance() const { return mean_; }
 
 private:
   glm::dvec3 texel(int x, int y) const;
+  void index_cells();
 
   environment::Map map_;
   int width_, height_;
   double cosine_, sine_, intensity_;
+  double mean_ = 0.0;
   // Cumulated power: of the rows, and within each row of its cells. A cell is a texel's rectangle;
   // inside it directions are drawn uniformly over the sphere.
   std::vector<double> rows_;
-  std::vector<float> cells_;  // (width + 1) a row
+  std::vector<float> cells_; // (width + 1) a row
+  // Where to begin the search for the cell of u, by the whole part of u times their number
+  // [ChenAsau74]: of the rows, and of each row's cells.
+  std::vector<std::int32_t> first_row_, first_cell_;
   std::vector<double> edges_; // of the rows: cosine of the polar angle
 };
 

@@ -1,6 +1,7 @@
 #include "truth/film.h"
 
 #include "core/error.h"
+#include "truth/random.h"
 
 #include <fmt/format.h>
 
@@ -13,12 +14,22 @@ namespace {
 
 constexpr const char* color_channels[3] = {"R", "G", "B"};
 constexpr const char* error_channels[3] = {"stderr.R", "stderr.G", "stderr.B"};
+constexpr const char* batch_channels[3] = {"batch.R", "batch.G", "batch.B"};
+
+// Of the batch that is not complete; 0: all are.
+long begun_of(long samples) {
+  return samples > 0 ? samples % batch_of(samples).size : 0;
+}
 
 } // namespace
 
-void Pixel::add(const glm::dvec3& radiance, std::int32_t met) {
+void Pixel::add(long k, const glm::dvec3& radiance, std::int32_t met) {
   sum += radiance;
-  squares += radiance * radiance;
+  batch += radiance;
+  if (const Batch whole = batch_of(k); k + 1 == whole.first + whole.size) {
+    squares += batch * batch / static_cast<double>(whole.size);
+    batch = glm::dvec3(0.0);
+  }
   object = object == unseen || object == met ? met : 0;
 }
 
@@ -31,11 +42,15 @@ glm::dvec3 Film::mean(const Pixel& pixel) const {
 }
 
 glm::dvec3 Film::standard_error(const Pixel& pixel) const {
-  if (samples_ < 2) return glm::dvec3(0.0);
+  const long batches = batches_of(samples_);
+  if (batches < 2) return glm::dvec3(0.0);
   const double n = static_cast<double>(samples_);
+  glm::dvec3 squares = pixel.squares;
+  if (const long begun = begun_of(samples_))
+    squares += pixel.batch * pixel.batch / static_cast<double>(begun);
   // Samples that are all alike may differ from their mean by rounding, either way.
-  const glm::dvec3 scatter = glm::max(pixel.squares - pixel.sum * pixel.sum / n, glm::dvec3(0.0));
-  return glm::sqrt(scatter / (n * (n - 1.0)));
+  const glm::dvec3 scatter = glm::max(squares - pixel.sum * pixel.sum / n, glm::dvec3(0.0));
+  return glm::sqrt(scatter / (n * static_cast<double>(batches - 1)));
 }
 
 double Film::relative_error() const {
@@ -78,6 +93,9 @@ image::Exr Film::to_exr() const {
       exr.channels[error_channels[c]].push_back(static_cast<float>(error[c]));
       errors += error[c];
     }
+    if (begun_of(samples_))
+      for (int c = 0; c < 3; ++c)
+        exr.channels[batch_channels[c]].push_back(static_cast<float>(pixel.batch[c]));
     exr.channels["id"].push_back(static_cast<float>(std::max(pixel.object, 0)));
     exr.channels["coverage"].push_back(pixel.object > 0 ? 1.0f : 0.0f);
   }
@@ -93,25 +111,32 @@ Film Film::from_exr(const image::Exr& exr, const std::filesystem::path& path) {
   if (const auto found = exr.attributes.find("spp"); found != exr.attributes.end())
     std::from_chars(found->second.data(), found->second.data() + found->second.size(), spp);
   bool complete = spp >= 2 && exr.channels.contains("id");
+  const long begun = begun_of(spp);
   for (int c = 0; c < 3; ++c)
     complete = complete && exr.channels.contains(color_channels[c])
-               && exr.channels.contains(error_channels[c]);
+               && exr.channels.contains(error_channels[c])
+               && (begun == 0 || exr.channels.contains(batch_channels[c]));
   if (!complete)
     throw Error(ExitCode::input, path, "was not written by groundglass truth",
                 "Leave --resume out to start anew.");
   Film film(exr.width, exr.height);
   film.samples_ = spp;
   const double n = static_cast<double>(spp);
+  const double freedom = static_cast<double>(std::max(batches_of(spp) - 1, 0L));
   for (std::size_t i = 0; i < film.pixels_.size(); ++i) {
     Pixel& pixel = film.pixels_[i];
     for (int c = 0; c < 3; ++c) {
       const double value = static_cast<double>(exr.channels.at(color_channels[c])[i]);
       const double error = static_cast<double>(exr.channels.at(error_channels[c])[i]);
-      if (!std::isfinite(value) || !std::isfinite(error))
+      const double batch =
+          begun > 0 ? static_cast<double>(exr.channels.at(batch_channels[c])[i]) : 0.0;
+      if (!std::isfinite(value) || !std::isfinite(error) || !std::isfinite(batch))
         throw Error(ExitCode::input, path, "has values that are not finite",
                     "Leave --resume out to start anew.");
       pixel.sum[c] = n * value;
-      pixel.squares[c] = n * value * value + n * (n - 1.0) * error * error;
+      pixel.batch[c] = batch;
+      pixel.squares[c] = n * value * value + n * freedom * error * error;
+      if (begun > 0) pixel.squares[c] -= batch * batch / static_cast<double>(begun);
     }
     pixel.object = static_cast<std::int32_t>(exr.channels.at("id")[i]);
   }

@@ -12,15 +12,18 @@
 namespace gg::truth {
 
 struct Pixel {
-  glm::dvec3 sum{0.0}, squares{0.0}; // of the samples' radiance
+  glm::dvec3 sum{0.0};     // of the samples' radiance
+  glm::dvec3 squares{0.0}; // of the complete batches' sums, over their samples
+  glm::dvec3 batch{0.0};   // sum of the batch that is not complete
   std::int32_t object = unseen; // 1 + instance that every sample met first; 0: none, or several
   static constexpr std::int32_t unseen = -1;
 
-  void add(const glm::dvec3& radiance, std::int32_t met);
+  // Of sample k.
+  void add(long k, const glm::dvec3& radiance, std::int32_t met);
 };
 
-// Every pixel has the same number of samples. They are independent, so the variance of the mean is
-// the samples' variance over their number.
+// Every pixel has the same number of samples. Batches of them are independent (random.h), so their
+// scatter about the mean says what the variance of the mean is.
 class Film {
 public:
   Film(int width, int height);
@@ -33,7 +36,7 @@ public:
   void add_samples(long count) { samples_ += count; }
 
   glm::dvec3 mean(const Pixel& pixel) const;
-  // Of the mean; 0 with fewer than two samples, which say nothing.
+  // Of the mean; 0 with fewer than two batches, which say nothing.
   glm::dvec3 standard_error(const Pixel& pixel) const;
   // Root of the mean, over the pixels that objects cover wholly and over RGB, of
   // (standard error / (|mean| + 0.1))²; over all pixels if objects cover none.
@@ -43,7 +46,8 @@ public:
   image::Image to_image() const;
   // Channels R G B, stderr.R stderr.G stderr.B, id, and coverage: 1 where an id is, as that is
   // only given to pixels that are covered wholly. Attributes spp, meanStandardError (over pixels
-  // and RGB) and relativeError. With these, from_exr() recovers the sums to float32's rounding.
+  // and RGB) and relativeError. With these, from_exr() recovers the sums to float32's rounding. Where
+  // a batch is not complete, batch.R batch.G batch.B hold its sum.
   image::Exr to_exr() const;
   // Throws Error(input) naming `path` if the channels or the number of samples are not there.
   static Film from_exr(const image::Exr& exr, const std::filesystem::path& path);

@@ -87,17 +87,43 @@ void mark_overlaps(const scene::Scene& scene, std::vector<Part>& parts) {
     }
 }
 
+void add_triangles(const scene::Scene& scene, const Part& part, std::uint32_t number,
+                   Neighbourhoods& neighbourhoods) {
+  const scene::Stream& positions =
+      scene.streams[static_cast<std::size_t>(part.primitive->positions)];
+  const scene::Indices& indices = scene.indices[static_cast<std::size_t>(part.primitive->indices)];
+  // Of `leave`, at most twice the radius on each side, and what rounding to float loses far from the origin.
+  const float margin = static_cast<float>(8.0 * leave_offset) * scene.bounds.radius()
+                       + 0x1p-22f * (glm::length(scene.bounds.low) + glm::length(scene.bounds.high));
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    scene::Bounds bounds;
+    for (std::size_t k = 0; k < 3; ++k)
+      bounds.include(
+          glm::vec3(part.world_from_mesh * glm::dvec4(vertex(positions, indices[i + k]), 1.0)));
+    bounds.low -= margin, bounds.high += margin;
+    neighbourhoods.add(number, bounds);
+  }
+}
+
 } // namespace
 
 struct Geometry::Embree {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  // Embree's own copies of a part's triangles: relative to the centre of the scene.
+  struct Mesh {
+    const float* vertices = nullptr;
+    const std::uint32_t* corners = nullptr;
+  };
+  std::vector<Mesh> meshes;
 
   Embree() : device(rtcNewDevice(nullptr)) {
     if (!device)
       throw Error(ExitCode::internal, "Embree", "cannot be started",
                   "It needs a processor with SSE2 and memory for its tables.");
     scene = rtcNewScene(device);
+    // Longer to build, as rays by the million are worth it.
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
     // Without it a ray may slip through the edge between two triangles: light would leak into and
     // out of solids.
     rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST
@@ -119,7 +145,7 @@ struct Geometry::Embree {
   }
 
   void add(const Part& part, const scene::Stream& positions, const scene::Indices& indices,
-           const glm::dvec3& centre) const {
+           const glm::dvec3& centre) {
     const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     const std::size_t count = positions.count();
     auto* const vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -137,6 +163,7 @@ struct Geometry::Embree {
         vertices[3 * i + static_cast<std::size_t>(c)] = static_cast<float>(p[c]);
     }
     std::ranges::copy(indices, corners);
+    meshes.push_back({vertices, corners});
     if (part.one_sided) {
       rtcSetGeometryUserData(geometry, part.mirrored ? const_cast<Part*>(&part) : nullptr);
       rtcSetGeometryIntersectFilterFunction(geometry, pass_from_behind);
@@ -149,15 +176,11 @@ struct Geometry::Embree {
   }
 
   glm::dvec3 corner(unsigned geometry, std::uint32_t i) const {
-    const auto* v = static_cast<const float*>(
-        rtcGetGeometryBufferData(rtcGetGeometry(scene, geometry), RTC_BUFFER_TYPE_VERTEX, 0));
-    v += 3 * static_cast<std::size_t>(i);
+    const float* const v = meshes[geometry].vertices + 3 * static_cast<std::size_t>(i);
     return {v[0], v[1], v[2]};
   }
   const std::uint32_t* corners(unsigned geometry, unsigned triangle) const {
-    return static_cast<const std::uint32_t*>(
-               rtcGetGeometryBufferData(rtcGetGeometry(scene, geometry), RTC_BUFFER_TYPE_INDEX, 0))
-           + 3 * static_cast<std::size_t>(triangle);
+    return meshes[geometry].corners + 3 * static_cast<std::size_t>(triangle);
   }
 };
 
@@ -194,6 +217,12 @@ Geometry::Geometry(const scene::Scene& scene) : embree_(std::make_unique<Embree>
   for (const Part& part : parts_)
     embree_->add(part, scene.streams[static_cast<std::size_t>(part.primitive->positions)],
                  scene.indices[static_cast<std::size_t>(part.primitive->indices)], centre_);
+  if (std::ranges::any_of(parts_, &Part::meets_others)) {
+    neighbourhoods_.emplace(scene.bounds);
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      if (parts_[i].meets_others)
+        add_triangles(scene, parts_[i], static_cast<std::uint32_t>(i), *neighbourhoods_);
+  }
   rtcCommitScene(embree_->scene);
   embree_->check();
 }
@@ -270,7 +299,7 @@ void note_and_go_on(const RTCFilterFunctionNArguments* args) {
 
 std::vector<Hit> Geometry::touching(const Hit& hit, const glm::dvec3& direction) const {
   std::vector<Hit> found;
-  if (!hit.part->meets_others) return found;
+  if (!hit.part->meets_others || !neighbourhoods_->several(hit.position)) return found;
   // Across the hit, from one side's `leave` to the other's.
   const double offset = leave_offset * hit.scale;
   const glm::dvec3 across = glm::dot(direction, hit.normal) < 0.0 ? -hit.normal : hit.normal;

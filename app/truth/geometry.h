@@ -4,6 +4,7 @@
 
 #include "scene/scene.h"
 #include "truth/camera.h"
+#include "truth/neighbourhoods.h"
 
 #include <memory>
 #include <optional>
@@ -60,6 +61,7 @@ private:
   Hit hit_of(unsigned geometry, unsigned triangle, double u, double v) const;
   std::vector<Part> parts_;
   glm::dvec3 centre_{0.0}; // of the scene: Embree's coordinates are relative to it
+  std::optional<Neighbourhoods> neighbourhoods_; // if any part's bounds overlap another's
   std::unique_ptr<Embree> embree_;
 };
 

@@ -13,11 +13,14 @@ Integrator::Integrator(const scene::Scene& scene, const EnvironmentLight* enviro
       media_(scene, geometry_), surfaces_(scene) {
   if (eye) around_eye_.inside = solids_around(*eye, geometry_, media_);
   for (const scene::Material& m : scene.materials) {
-    casts_clear_shadows_ |= Surfaces::has_holes(m) || m.transmission > 0.0f;
+    passes_straight_ |= Surfaces::has_holes(m);
+    passes_to_lights_ |= m.transmission > 0.0f;
     auto& albedo = albedos_[static_cast<std::size_t>(m.distribution)];
     if (settings.multiple_scattering && !m.unlit && !albedo)
       albedo.emplace(m.distribution, settings.smith);
   }
+  passes_straight_ |= !media_.all_bend();
+  passes_to_lights_ |= passes_straight_;
 }
 
 Sample Integrator::trace(const Ray& camera_ray, Random& random) const {
@@ -111,7 +114,7 @@ void Integrator::add_environment(Walk& walk, const Path& path) const {
   if (!environment_) return;
   const EnvironmentLight::Place place = environment_->place_of(path.ray.direction);
   const glm::dvec3 radiance = environment_->radiance(place);
-  const double weight = path.pdf > 0.0 ? mis_share(path.pdf, environment_->pdf(place)) : 1.0;
+  const double weight = path.pdf > 0.0 ? mis_share(path.pdf, environment_candidates * environment_->pdf(place)) : 1.0;
   walk.sample.radiance += path.throughput * radiance * (weight * path.open);
 }
 

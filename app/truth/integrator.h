@@ -88,7 +88,9 @@ private:
   Media media_;
   Surfaces surfaces_;
   Whereabouts around_eye_;
-  bool casts_clear_shadows_ = false; // some surface lets a shadow ray pass
+  // Some surface may let a straight ray from air pass: through holes or a body that does not bend it,
+  // and towards lights, which no path can meet, through a wall too.
+  bool passes_straight_ = false, passes_to_lights_ = false;
   std::array<std::optional<Albedo>, 3>
       albedos_; // by distribution, where many bounces are asked for
 };

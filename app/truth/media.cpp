@@ -97,6 +97,13 @@ bool Media::disperses(SolidId medium) const {
   return solid.dispersion > 0.0 && solid.ior != 1.0;
 }
 
+bool Media::all_bend() const {
+  for (SolidId id = 0; id < static_cast<SolidId>(solids_.size()); ++id)
+    for (int channel = white; channel < 3; ++channel)
+      if (ior(id, channel) == 1.0) return false;
+  return true;
+}
+
 glm::dvec3 transmittance(const glm::dvec3& color, double depth) {
   if (!(depth > 0.0)) return glm::dvec3(1.0);
   return {std::pow(color.x, depth), std::pow(color.y, depth), std::pow(color.z, depth)};

@@ -25,6 +25,7 @@ public:
   void enter(SolidId solid);
   void leave(SolidId solid); // once; nothing if it was not entered
   bool contains(SolidId solid) const;
+  bool empty() const { return count_ == 0; }
   const SolidId* begin() const { return solids_.data(); }
   const SolidId* end() const { return solids_.data() + count_; }
 
@@ -64,6 +65,8 @@ public:
   // What is left of light after `distance` metres, in [0, 1] per channel.
   glm::dvec3 transmittance(SolidId medium, double distance) const;
   bool empty() const { return solids_.empty(); }
+  // Does every solid bend light that comes to it from air?
+  bool all_bend() const;
 
 private:
   std::vector<Solid> solids_;

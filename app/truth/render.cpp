@@ -37,11 +37,11 @@ bool add_pass(const Integrator& integrator, const Camera& camera, std::uint64_t 
                                                           * static_cast<std::uint64_t>(film.width())
                                                       + static_cast<std::uint64_t>(x);
                           for (long k = first; k < first + count; ++k) {
-                            Random random(seed, place, static_cast<std::uint64_t>(k));
+                            Random random = Random::stratified(seed, place, k);
                             const glm::dvec2 at = random.uniform2(); // box filter of one pixel
                             const Sample sample =
                                 integrator.trace(camera.through(x + at.x, y + at.y), random);
-                            pixel.add(sample.radiance, sample.object);
+                            pixel.add(k, sample.radiance, sample.object);
                           }
                         }
                       if (stop()) going.store(false);

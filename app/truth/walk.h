@@ -8,6 +8,9 @@
 
 namespace gg::truth {
 
+// Directions to the environment that are looked at where a path gathers direct light.
+inline constexpr int environment_candidates = 2;
+
 struct Integrator::Walk {
   Random& random;
   Sample sample;
