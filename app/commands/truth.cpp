@@ -35,7 +35,7 @@ struct Options {
   float exposure = 0.0f;         // EV
   std::optional<double> preview; // seconds
   std::optional<long> spp;
-  std::optional<double> error;
+  std::optional<double> error, clamp;
   std::uint64_t seed = 0;
   int threads = 0;
   bool surface_only = false, resume = false, half = false, multiscatter = false;
@@ -86,6 +86,8 @@ void check(const Options& o) {
   if (o.error && !(*o.error > 0.0 && *o.error <= most_error))
     throw Error(ExitCode::usage, "--error", fmt::format("must be more than 0, to {}", most_error),
                 "0.05 is 5 %.");
+  if (o.clamp && !(*o.clamp > 0.0 && std::isfinite(*o.clamp)))
+    throw Error(ExitCode::usage, "--clamp", "must be a radiance above 0");
   if (o.threads < 0 || o.threads > most_threads)
     throw Error(ExitCode::usage, "--threads", fmt::format("must be from 0 to {}", most_threads));
   if (o.smith != "separable" && o.smith != "correlated")
@@ -117,6 +119,7 @@ std::map<std::string, std::string> settings_of(const Options& o, const scene::Ca
           {"seed", std::to_string(o.seed)},
           {"smith", o.smith},
           {"scattering", o.multiscatter ? "multiple" : "single"},
+          {"clamp", o.clamp ? fmt::format("{}", *o.clamp) : ""},
           {"transport", o.surface_only ? "surface only" : "full"}};
 }
 
@@ -158,6 +161,7 @@ std::string command_line(const Options& o, long spp) {
   if (o.scene.fovy) add("--fovy", fmt::format("{}", *o.scene.fovy));
   if (o.smith != "separable") add("--smith", o.smith);
   if (o.multiscatter) line += " --multiscatter";
+  if (o.clamp) add("--clamp", fmt::format("{}", *o.clamp));
   for (const std::string& material : o.scene.materials)
     add("--material", "'" + material + "'");
   if (o.half) line += " --half";
@@ -177,7 +181,8 @@ image::Exr picture_of(const truth::Film& film, const scene::Scene& scene,
 
 // Small, for keeping: the standard error stays in the header, as its mean and as the relative error.
 image::Exr halved(image::Exr picture) {
-  for (const char* channel : {"stderr.R", "stderr.G", "stderr.B"})
+  for (const char* channel :
+       {"stderr.R", "stderr.G", "stderr.B", "batch.R", "batch.G", "batch.B", "clamped"})
     picture.channels.erase(channel);
   picture.half = true;
   return picture;
@@ -209,7 +214,8 @@ void trace(Options o) {
       camera.orthographic() ? std::nullopt : std::optional(camera.eye()),
       {.smith = o.smith == "correlated" ? truth::Smith::correlated : truth::Smith::separable,
        .transport = o.surface_only ? truth::Transport::surface_only : truth::Transport::full,
-       .multiple_scattering = o.multiscatter});
+       .multiple_scattering = o.multiscatter,
+       .clamp = o.clamp.value_or(INFINITY)});
 
   const truth::RenderDesc desc{.seed = o.seed,
                                .samples = o.spp.value_or(o.error ? most_spp : default_spp),
@@ -259,6 +265,7 @@ void trace(Options o) {
                     {"seconds", seconds},
                     {"relative_error", film.relative_error()},
                     {"mean_standard_error", std::stod(picture.attributes.at("meanStandardError"))},
+                    {"clamped_share", film.clamped_share()},
                     {"complete", complete},
                     {"command", picture.attributes.at("command")}}
                    .dump(2)
@@ -266,8 +273,11 @@ void trace(Options o) {
     file.commit();
   }
   fmt::print(text_stream({o.exr, o.png, o.json}),
-             "{}: {} samples per pixel, error {:.2f} %, {:.1f} s\n", name_of(o), film.samples(),
-             100.0 * film.relative_error(), seconds);
+             "{}: {} samples per pixel, error {:.2f} %, {:.1f} s{}\n", name_of(o), film.samples(),
+             100.0 * film.relative_error(), seconds,
+             o.clamp ? fmt::format("; clamping took {:.3g} % of the light, which the error leaves out",
+                                   100.0 * film.clamped_share())
+                     : "");
   if (!complete)
     throw Error(ExitCode::interrupted, name_of(o),
                 fmt::format("interrupted; {} samples per pixel are kept", film.samples()),
@@ -299,6 +309,9 @@ void add_truth(Command program) {
   command.option("--smith", &options->smith, "Shadowing: separable (Walter 2007) or correlated");
   command.flag("--multiscatter", options->multiscatter,
                "Give back the energy of multiple scattering between a metal's facets");
+  command.option("--clamp", &options->clamp,
+                 "The most that one path of scattered light may bring, radiance: less noise, and a bias "
+                 "that is printed");
   command.flag("--surface-only", options->surface_only,
                "Each visible point lit through its BSDF alone: nothing shadows, nothing is "
                "reflected twice");

@@ -9,9 +9,10 @@
 
 namespace gg::truth {
 
-void Integrator::add_direct_light(Walk& walk, const Path& path, const Meeting& m,
+void Integrator::add_direct_light(Walk& walk, Path path, const Meeting& m,
                                   const Closure& closure) const {
   if (closure.only_deltas()) return;
+  path.scattered = true; // here
   const bool alone = settings_.transport == Transport::surface_only;
 
   // From inside a solid that bends light the environment is seen through its boundary only.
@@ -78,8 +79,8 @@ void Integrator::add_direct_light(Walk& walk, const Path& path, const Meeting& m
       const Candidate& c = candidates[chosen];
       const double one = largest(c.arrives);
       if (one > 0.0)
-        walk.sample.radiance += c.arrives * (sum / (one * chance))
-                                * visible(c.wi, INFINITY, c.across, false);
+        add(walk, path,
+            c.arrives * (sum / (one * chance)) * visible(c.wi, INFINITY, c.across, false));
     }
   }
 
@@ -96,9 +97,9 @@ void Integrator::add_direct_light(Walk& walk, const Path& path, const Meeting& m
     left -= part;
     if (left >= 0.0 || !(part > 0.0)) continue;
     if (const Link l = link(arrival.wi, false); l.open)
-      walk.sample.radiance += path.throughput * l.scattered.f_cos * arrival.irradiance
-                              * (total / part)
-                              * visible(arrival.wi, arrival.distance, l.across, true);
+      add(walk, path,
+          path.throughput * l.scattered.f_cos * arrival.irradiance * (total / part)
+              * visible(arrival.wi, arrival.distance, l.across, true));
     return;
   }
 }

@@ -23,9 +23,11 @@ long begun_of(long samples) {
 
 } // namespace
 
-void Pixel::add(long k, const glm::dvec3& radiance, std::int32_t met) {
-  sum += radiance;
-  batch += radiance;
+void Pixel::add(long k, const Sample& sample) {
+  const std::int32_t met = sample.object;
+  sum += sample.radiance;
+  batch += sample.radiance;
+  clamped += sample.clamped;
   if (const Batch whole = batch_of(k); k + 1 == whole.first + whole.size) {
     squares += batch * batch / static_cast<double>(whole.size);
     batch = glm::dvec3(0.0);
@@ -69,6 +71,15 @@ double Film::relative_error() const {
   return objects >= 0.0 ? objects : over(false);
 }
 
+double Film::clamped_share() const {
+  double taken = 0.0, there = 0.0;
+  for (const Pixel& pixel : pixels_) {
+    taken += pixel.clamped;
+    there += (pixel.sum.x + pixel.sum.y + pixel.sum.z) / 3.0;
+  }
+  return taken > 0.0 ? taken / (taken + there) : 0.0;
+}
+
 image::Image Film::to_image() const {
   image::Image picture(width_, height_, 3);
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
@@ -85,8 +96,12 @@ image::Exr Film::to_exr() const {
     exr.channels[name].reserve(pixels_.size());
   for (const char* name : error_channels)
     exr.channels[name].reserve(pixels_.size());
+  const bool clamped = clamped_share() > 0.0;
   double errors = 0.0;
   for (const Pixel& pixel : pixels_) {
+    if (clamped)
+      exr.channels["clamped"].push_back(
+          static_cast<float>(pixel.clamped / static_cast<double>(samples_)));
     const glm::dvec3 value = mean(pixel), error = standard_error(pixel);
     for (int c = 0; c < 3; ++c) {
       exr.channels[color_channels[c]].push_back(static_cast<float>(value[c]));
@@ -103,6 +118,7 @@ image::Exr Film::to_exr() const {
   exr.attributes["meanStandardError"] =
       fmt::format("{:.6g}", errors / (3.0 * static_cast<double>(pixels_.size())));
   exr.attributes["relativeError"] = fmt::format("{:.6g}", relative_error());
+  if (clamped) exr.attributes["clampedShare"] = fmt::format("{:.6g}", clamped_share());
   return exr;
 }
 
@@ -139,6 +155,8 @@ Film Film::from_exr(const image::Exr& exr, const std::filesystem::path& path) {
       if (begun > 0) pixel.squares[c] -= batch * batch / static_cast<double>(begun);
     }
     pixel.object = static_cast<std::int32_t>(exr.channels.at("id")[i]);
+    if (const auto taken = exr.channels.find("clamped"); taken != exr.channels.end())
+      pixel.clamped = n * static_cast<double>(taken->second[i]);
   }
   return film;
 }

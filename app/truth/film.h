@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "truth/sample.h"
 
 #include <glm/glm.hpp>
 
@@ -15,11 +16,12 @@ struct Pixel {
   glm::dvec3 sum{0.0};     // of the samples' radiance
   glm::dvec3 squares{0.0}; // of the complete batches' sums, over their samples
   glm::dvec3 batch{0.0};   // sum of the batch that is not complete
+  double clamped = 0.0;    // sum of Sample::clamped
   std::int32_t object = unseen; // 1 + instance that every sample met first; 0: none, or several
   static constexpr std::int32_t unseen = -1;
 
   // Of sample k.
-  void add(long k, const glm::dvec3& radiance, std::int32_t met);
+  void add(long k, const Sample& sample);
 };
 
 // Every pixel has the same number of samples. Batches of them are independent (random.h), so their
@@ -42,12 +44,16 @@ public:
   // (standard error / (|mean| + 0.1))²; over all pixels if objects cover none.
   double relative_error() const;
 
+  // What clamping took: over what there would be without it, of all pixels. The bias of the mean.
+  double clamped_share() const;
+
   // The means, RGB.
   image::Image to_image() const;
   // Channels R G B, stderr.R stderr.G stderr.B, id, and coverage: 1 where an id is, as that is
   // only given to pixels that are covered wholly. Attributes spp, meanStandardError (over pixels
   // and RGB) and relativeError. With these, from_exr() recovers the sums to float32's rounding. Where
-  // a batch is not complete, batch.R batch.G batch.B hold its sum.
+  // a batch is not complete, batch.R batch.G batch.B hold its sum; where anything was clamped, `clamped`
+  // holds the mean that it took (of RGB).
   image::Exr to_exr() const;
   // Throws Error(input) naming `path` if the channels or the number of samples are not there.
   static Film from_exr(const image::Exr& exr, const std::filesystem::path& path);

@@ -62,10 +62,10 @@ void Integrator::advance(Walk& walk, Path path) const {
     Meeting meeting{.surface = surfaces_.read(*crossing.hit, -direction), .wo = -direction};
     const Surface& surface = meeting.surface;
     if (surface.kind == SurfaceKind::unlit) {
-      walk.sample.radiance += path.throughput * surface.base_color;
+      add(walk, path, path.throughput * surface.base_color);
       return;
     }
-    walk.sample.radiance += path.throughput * surface.emissive;
+    add(walk, path, path.throughput * surface.emissive);
 
     meeting.before = crossing.before;
     meeting.beyond = crossing.beyond;
@@ -115,7 +115,15 @@ void Integrator::add_environment(Walk& walk, const Path& path) const {
   const EnvironmentLight::Place place = environment_->place_of(path.ray.direction);
   const glm::dvec3 radiance = environment_->radiance(place);
   const double weight = path.pdf > 0.0 ? mis_share(path.pdf, environment_candidates * environment_->pdf(place)) : 1.0;
-  walk.sample.radiance += path.throughput * radiance * (weight * path.open);
+  add(walk, path, path.throughput * radiance * (weight * path.open));
+}
+
+void Integrator::add(Walk& walk, const Path& path, const glm::dvec3& radiance) const {
+  const double most = largest(radiance);
+  const double part =
+      most > settings_.clamp && path.scattered ? settings_.clamp / most : 1.0;
+  walk.sample.radiance += part * radiance;
+  walk.sample.clamped += (1.0 - part) * (radiance.x + radiance.y + radiance.z) / 3.0;
 }
 
 // Russian roulette: what is worth following by itself goes on, what carries less as often as it
@@ -194,6 +202,7 @@ void Integrator::follow(Walk& walk, Path path, Meeting m, const Drawn& drawn, do
   const bool across = drawn.transmitted;
   const double eta2 = across ? eta * eta : 1.0;
   path.throughput *= drawn.weight;
+  path.scattered = true;
 
   if (!m.leaves(across)) {
     path.scale *= eta2;

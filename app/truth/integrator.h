@@ -10,8 +10,8 @@
 // that followed by chance, the few paths that are would count in full, and a lamp that one of them
 // finds would be a firefly. So where both parts of what an interface scatters carry enough
 // (`worth_following`) both are followed, each with its own weight; and only paths that carry less
-// are ended by chance. Nothing is cut off, clamped or thrown away: the mean has no bias, and rare
-// bright paths show in the standard error.
+// are ended by chance. Unless it is asked for, nothing is cut off, clamped or thrown away: the mean has
+// no bias, and rare bright paths show in the standard error.
 //
 // Dispersion. A path that comes to glass whose index depends on the wavelength goes on as three, of
 // one channel each.
@@ -25,6 +25,7 @@
 #include "truth/albedo.h"
 #include "truth/environment_light.h"
 #include "truth/meeting.h"
+#include "truth/sample.h"
 
 namespace gg::truth {
 
@@ -36,17 +37,15 @@ enum class Transport {
   // interface the environment goes on, radiance / index² kept
 };
 
-struct Sample {
-  glm::dvec3 radiance{0.0};
-  std::int32_t object = 0; // 1 + instance that the ray met first; 0: none
-};
-
 class Integrator {
 public:
   struct Settings {
     Smith smith = Smith::separable;
     Transport transport = Transport::full;
     bool multiple_scattering = false; // between the facets of metals, as `capture --multiscatter`
+    // The most that light which was scattered may bring along one path: its largest channel, radiance.
+    // Less noise for less light: the mean is too small by what Sample::clamped says on average.
+    double clamp = INFINITY;
   };
 
   // Without an environment only lights and emissive surfaces shine. `eye`: where perspective rays
@@ -66,9 +65,11 @@ private:
   void cross_plate(Path& path, Meeting& meeting, const glm::dvec3& wi) const;
   bool survives(Walk& walk, Path& path) const;
   void add_environment(Walk& walk, const Path& path) const;
+  // What a path brings to its sample, clamped if it was scattered.
+  void add(Walk& walk, const Path& path, const glm::dvec3& radiance) const;
 
   // direct_light.cpp
-  void add_direct_light(Walk& walk, const Path& path, const Meeting& meeting,
+  void add_direct_light(Walk& walk, Path path, const Meeting& meeting,
                         const Closure& closure) const;
   glm::dvec3 shadow(Ray ray, glm::dvec3 from, Whereabouts where, int channel, bool through_walls,
                     Random& random) const;

@@ -25,6 +25,7 @@ struct Path {
   double scale = 1.0;  // product of eta² of the interfaces crossed: throughput * scale is power
   int channel = white; // all, or the one that is left after glass that disperses
   int bounces = 0;
+  bool scattered = false; // by a surface, if only by refraction
 
   // In [0, 1]: of what the camera sent out.
   double power() const { return largest(throughput) * scale; }

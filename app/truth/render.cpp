@@ -41,7 +41,7 @@ bool add_pass(const Integrator& integrator, const Camera& camera, std::uint64_t 
                             const glm::dvec2 at = random.uniform2(); // box filter of one pixel
                             const Sample sample =
                                 integrator.trace(camera.through(x + at.x, y + at.y), random);
-                            pixel.add(k, sample.radiance, sample.object);
+                            pixel.add(k, sample);
                           }
                         }
                       if (stop()) going.store(false);

@@ -81,6 +81,17 @@ TEST(truth_command, previews_while_it_works) {
   EXPECT_EQ(::waitpid(child, &status, 0), child);
 }
 
+TEST(truth_command, says_what_clamping_took) {
+  const std::string file = out("a.exr");
+  const Finished done = run_program(command({"-o", file, "--spp", "8", "--clamp", "0.1"}));
+  ASSERT_EQ(done.code, 0);
+  EXPECT_NE(done.out.find("clamping took"), std::string::npos) << done.out;
+  const image::Exr exr = image::read_exr(file);
+  EXPECT_GT(std::stod(exr.attributes.at("clampedShare")), 0.0);
+  EXPECT_NE(exr.attributes.at("command").find("--clamp 0.1"), std::string::npos);
+  EXPECT_EQ(exr.channels.at("R")[0], 1.0f); // the sky, which nothing scattered
+}
+
 TEST(truth_command, resumes_only_what_was_asked_for_in_the_same_way) {
   const std::string file = out("a.exr");
   ASSERT_EQ(run_program(command({"-o", file, "--spp", "4"})).code, 0);
@@ -159,6 +170,7 @@ TEST(truth_command, refuses_what_it_cannot_do_before_working) {
       {{"-o", out("a.exr"), "--error", "-1"}, 2},
       {{"-o", out("a.exr"), "--error", "0"}, 2},
       {{"-o", out("a.exr"), "--smith", "jones"}, 2},
+      {{"-o", out("a.exr"), "--clamp", "0"}, 2},
   };
   for (const auto& [arguments, code] : refusals)
     EXPECT_EQ(run_program(command(arguments)).code, code) << arguments.back();

@@ -101,6 +101,26 @@ TEST(truth_render, resumed_equals_uninterrupted) {
       }
 }
 
+TEST(truth_render, clamping_says_what_it_takes) {
+  const auto render_with = [](double clamp) {
+    const Integrator integrator(setting().scene, &setting().environment, std::nullopt,
+                                {.clamp = clamp});
+    Film film(side, side);
+    render(integrator, setting().camera, {.samples = 16}, film);
+    return film;
+  };
+  const Film whole = render_with(INFINITY), clamped = render_with(0.25);
+  EXPECT_EQ(whole.clamped_share(), 0.0);
+  EXPECT_GT(clamped.clamped_share(), 0.01);
+  // The same paths: with what was taken given back, the same light.
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const Pixel &a = whole.at(x, y), &b = clamped.at(x, y);
+      const double sum = (a.sum.x + a.sum.y + a.sum.z) / 3.0;
+      EXPECT_NEAR((b.sum.x + b.sum.y + b.sum.z) / 3.0 + b.clamped, sum, 1e-12 * sum);
+    }
+}
+
 TEST(truth_render, stops_when_the_error_is_small_enough) {
   const Film film = setting().render({.samples = 100000, .error = 0.1});
   EXPECT_LE(film.relative_error(), 0.1);

@@ -287,4 +287,59 @@ TEST(truth_environment, directions_are_where_the_convention_puts_them) {
   EXPECT_NEAR(turned.radiance({1.0, 0.0, 0.0}).y, 3.0, rounding);
 }
 
+TEST(truth_random, batches_are_counted_as_they_come) {
+  long batches = 0;
+  for (long k = 0; k < 3000; ++k) {
+    const Batch batch = batch_of(k);
+    ASSERT_LE(batch.first, k);
+    ASSERT_LT(k, batch.first + batch.size);
+    ASSERT_EQ(batch.first % batch.size, 0) << k;
+    batches += k == batch.first;
+    ASSERT_EQ(batches_of(k + 1), batches) << k;
+  }
+}
+
+// Of 16 samples, each pair of numbers has one point in each of 16 x 1, 8 x 2, 4 x 4, 2 x 8 and 1 x 16
+// cells: a (0,4,2)-net [Niederreiter87].
+TEST(truth_random, numbers_of_a_batch_are_stratified_in_pairs) {
+  constexpr int count = 16, pairs = 8;
+  for (std::uint64_t pixel = 0; pixel < 20; ++pixel) {
+    std::array<std::array<glm::dvec2, pairs>, count> points;
+    for (int k = 0; k < count; ++k) {
+      Random random = Random::stratified(5, pixel, 64 + k);
+      for (glm::dvec2& p : points[static_cast<std::size_t>(k)])
+        p = random.uniform2();
+    }
+    for (std::size_t pair = 0; pair < pairs; ++pair)
+      for (int wide = 1; wide <= count; wide *= 2) {
+        std::set<int> cells;
+        for (const auto& point : points) {
+          const int x = static_cast<int>(point[pair].x * wide);
+          const int y = static_cast<int>(point[pair].y * (count / wide));
+          cells.insert(y * wide + x);
+        }
+        EXPECT_EQ(cells.size(), count) << pixel << ", pair " << pair << ", " << wide;
+      }
+  }
+}
+
+// Each by itself, whatever its place in the batch: the mean has no bias.
+TEST(truth_random, stratified_numbers_are_uniform) {
+  constexpr int batches = 4000, bins = 8;
+  for (const int place : {0, 7, 15}) {
+    std::array<int, bins> seen{};
+    for (std::uint64_t pixel = 0; pixel < batches; ++pixel) {
+      Random random = Random::stratified(9, pixel, 64 + place);
+      for (int skipped = 0; skipped < 5; ++skipped)
+        random.uniform();
+      ++seen[static_cast<std::size_t>(random.uniform() * bins)];
+    }
+    // Chi² of 7 degrees of freedom is above 29.9 once in 10,000.
+    double chi2 = 0.0;
+    for (const int n : seen)
+      chi2 += std::pow(n - batches / bins, 2) / (batches / static_cast<double>(bins));
+    EXPECT_LT(chi2, 29.9) << place;
+  }
+}
+
 } // namespace
