@@ -272,12 +272,12 @@ void trace(Options o) {
                + "\n");
     file.commit();
   }
-  fmt::print(text_stream({o.exr, o.png, o.json}),
-             "{}: {} samples per pixel, error {:.2f} %, {:.1f} s{}\n", name_of(o), film.samples(),
-             100.0 * film.relative_error(), seconds,
-             o.clamp ? fmt::format("; clamping took {:.3g} % of the light, which the error leaves out",
-                                   100.0 * film.clamped_share())
-                     : "");
+  fmt::print(
+      text_stream({o.exr, o.png, o.json}), "{}: {} samples per pixel, error {:.2f} %, {:.1f} s{}\n",
+      name_of(o), film.samples(), 100.0 * film.relative_error(), seconds,
+      o.clamp ? fmt::format("; clamping took {:.3g} % of the light, which the error leaves out",
+                            100.0 * film.clamped_share())
+              : "");
   if (!complete)
     throw Error(ExitCode::interrupted, name_of(o),
                 fmt::format("interrupted; {} samples per pixel are kept", film.samples()),
@@ -309,9 +309,10 @@ void add_truth(Command program) {
   command.option("--smith", &options->smith, "Shadowing: separable (Walter 2007) or correlated");
   command.flag("--multiscatter", options->multiscatter,
                "Give back the energy of multiple scattering between a metal's facets");
-  command.option("--clamp", &options->clamp,
-                 "The most that one path of scattered light may bring, radiance: less noise, and a bias "
-                 "that is printed");
+  command.option(
+      "--clamp", &options->clamp,
+      "The most that one path of scattered light may bring, radiance: less noise, and a bias "
+      "that is printed");
   command.flag("--surface-only", options->surface_only,
                "Each visible point lit through its BSDF alone: nothing shadows, nothing is "
                "reflected twice");

@@ -62,8 +62,7 @@ EnvironmentLight::EnvironmentLight(environment::Map map, double rotation, double
     rows_[static_cast<std::size_t>(y) + 1] =
         rows_[static_cast<std::size_t>(y)] + total * solid_angle;
   }
-  if (const double total = rows_.back(); total > 0.0)
-  {
+  if (const double total = rows_.back(); total > 0.0) {
     mean_ = intensity_ * total / (3.0 * 2.0 * width_);
     for (double& sum : rows_)
       sum /= total;
@@ -117,10 +116,10 @@ std::optional<EnvironmentLight::Drawn> EnvironmentLight::sample(Random& random, 
   const float* const cells =
       cells_.data() + static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1);
   const double along = random.uniform();
-  const int column = cell_at(
-      cells, width_, along,
-      first_cell_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_)
-                  + static_cast<std::size_t>(along * width_)]);
+  const int column =
+      cell_at(cells, width_, along,
+              first_cell_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_)
+                          + static_cast<std::size_t>(along * width_)]);
   const double y = glm::mix(edges_[static_cast<std::size_t>(row)],
                             edges_[static_cast<std::size_t>(row) + 1], random.uniform());
   Drawn drawn;

@@ -13,10 +13,10 @@
 namespace gg::truth {
 
 struct Pixel {
-  glm::dvec3 sum{0.0};     // of the samples' radiance
-  glm::dvec3 squares{0.0}; // of the complete batches' sums, over their samples
-  glm::dvec3 batch{0.0};   // sum of the batch that is not complete
-  double clamped = 0.0;    // sum of Sample::clamped
+  glm::dvec3 sum{0.0};          // of the samples' radiance
+  glm::dvec3 squares{0.0};      // of the complete batches' sums, over their samples
+  glm::dvec3 batch{0.0};        // sum of the batch that is not complete
+  double clamped = 0.0;         // sum of Sample::clamped
   std::int32_t object = unseen; // 1 + instance that every sample met first; 0: none, or several
   static constexpr std::int32_t unseen = -1;
 

@@ -93,8 +93,9 @@ void add_triangles(const scene::Scene& scene, const Part& part, std::uint32_t nu
       scene.streams[static_cast<std::size_t>(part.primitive->positions)];
   const scene::Indices& indices = scene.indices[static_cast<std::size_t>(part.primitive->indices)];
   // Of `leave`, at most twice the radius on each side, and what rounding to float loses far from the origin.
-  const float margin = static_cast<float>(8.0 * leave_offset) * scene.bounds.radius()
-                       + 0x1p-22f * (glm::length(scene.bounds.low) + glm::length(scene.bounds.high));
+  const float margin =
+      static_cast<float>(8.0 * leave_offset) * scene.bounds.radius()
+      + 0x1p-22f * (glm::length(scene.bounds.low) + glm::length(scene.bounds.high));
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
     scene::Bounds bounds;
     for (std::size_t k = 0; k < 3; ++k)

@@ -114,14 +114,14 @@ void Integrator::add_environment(Walk& walk, const Path& path) const {
   if (!environment_) return;
   const EnvironmentLight::Place place = environment_->place_of(path.ray.direction);
   const glm::dvec3 radiance = environment_->radiance(place);
-  const double weight = path.pdf > 0.0 ? mis_share(path.pdf, environment_candidates * environment_->pdf(place)) : 1.0;
+  const double weight =
+      path.pdf > 0.0 ? mis_share(path.pdf, environment_candidates * environment_->pdf(place)) : 1.0;
   add(walk, path, path.throughput * radiance * (weight * path.open));
 }
 
 void Integrator::add(Walk& walk, const Path& path, const glm::dvec3& radiance) const {
   const double most = largest(radiance);
-  const double part =
-      most > settings_.clamp && path.scattered ? settings_.clamp / most : 1.0;
+  const double part = most > settings_.clamp && path.scattered ? settings_.clamp / most : 1.0;
   walk.sample.radiance += part * radiance;
   walk.sample.clamped += (1.0 - part) * (radiance.x + radiance.y + radiance.z) / 3.0;
 }
