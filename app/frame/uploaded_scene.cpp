@@ -57,6 +57,18 @@ uniforms::MaterialData block_of(const Material& m) {
   set_rows(m.specular_color_map, block.specularColorRow0, block.specularColorRow1);
   set_rows(m.transmission_map, block.transmissionRow0, block.transmissionRow1);
   set_rows(m.thickness_map, block.thicknessRow0, block.thicknessRow1);
+  block.clearcoat = {m.clearcoat, m.clearcoat_roughness, 0.0f, 0.0f};
+  set_rows(m.clearcoat_map, block.clearcoatRow0, block.clearcoatRow1);
+  set_rows(m.clearcoat_roughness_map, block.clearcoatRoughnessRow0, block.clearcoatRoughnessRow1);
+  set_rows(m.clearcoat_normal_map, block.clearcoatNormalRow0, block.clearcoatNormalRow1);
+  block.anisotropy = {m.anisotropy_strength, std::cos(m.anisotropy_rotation),
+                      std::sin(m.anisotropy_rotation), 0.0f};
+  set_rows(m.anisotropy_map, block.anisotropyRow0, block.anisotropyRow1);
+  block.film = {m.iridescence, m.iridescence_ior, m.iridescence_thickness.x,
+                m.iridescence_thickness.y};
+  set_rows(m.iridescence_map, block.iridescenceRow0, block.iridescenceRow1);
+  set_rows(m.iridescence_thickness_map, block.iridescenceThicknessRow0,
+           block.iridescenceThicknessRow1);
   return block;
 }
 

@@ -19,7 +19,9 @@ constexpr int position_location = 0, normal_location = 1, tangent_location = 2, 
 std::vector<VertexInput> inputs_of(const Features& features, const scene::Primitive& p) {
   std::vector<VertexInput> inputs{{position_location, 3, p.positions},
                                   {normal_location, 3, p.normals}};
-  if (value_of(features.key, Feature::normal_map) > 0)
+  if (value_of(features.key, Feature::normal_map) > 0
+      || value_of(features.key, Feature::clearcoat_normal_map) > 0
+      || value_of(features.key, Feature::anisotropy) > 0)
     inputs.push_back({tangent_location, 4, p.tangents});
   if (value_of(features.key, Feature::vertex_color) > 0)
     inputs.push_back({color_location, 4, p.colors});

@@ -1,6 +1,7 @@
 #include "needs/features.h"
 
 #include "core/error.h"
+#include "glsl/f32.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,8 +47,23 @@ bool is_all_glass(const Material& m) {
   return is_refractive(m) && m.transmission == 1.0f && !m.transmission_map && m.metallic <= 0.0f;
 }
 
+// Over opaque surfaces, and over the outside of glass that is not a wall of no thickness.
+bool has_coat(const Material& m) {
+  return m.clearcoat > 0.0f && transmission_of(m) == Transmission::none;
+}
+
+// A film on the substrate's reflection; glass is drawn without, as its tables have Fresnel's factor in them.
+bool has_film(const Material& m) {
+  const float thickest = m.iridescence_thickness_map
+                             ? std::max(m.iridescence_thickness.x, m.iridescence_thickness.y)
+                             : m.iridescence_thickness.y;
+  return m.iridescence > 0.0f && thickest > 0.0f && transmission_of(m) == Transmission::none;
+}
+
 // Alpha is 0 everywhere: a map scales roughness, so that one of 0 stays.
-bool is_smooth(const Material& m) {
+bool is_smooth(const Material& m, int brushed) {
+  if (brushed > 0) return false;
+  if (has_coat(m) && m.clearcoat_roughness > 0.0f) return false; // tables are read
   return scene::microfacet_alpha(m) == 0.0f && m.back_alpha.value_or(0.0f) == 0.0f;
 }
 
@@ -70,6 +86,14 @@ bool matters(const MapKind& map, const Material& m, Shading shading, const Frame
     return is_refractive(m);
   case Feature::thickness_map:
     return transmission_of(m) == Transmission::solid;
+  case Feature::clearcoat_map:
+  case Feature::clearcoat_normal_map:
+    return has_coat(m);
+  case Feature::clearcoat_roughness_map:
+    return has_coat(m) && m.clearcoat_roughness > 0.0f;
+  case Feature::iridescence_map:
+  case Feature::iridescence_thickness_map:
+    return has_film(m);
   default:
     return true;
   }
@@ -83,8 +107,13 @@ std::vector<const MapKind*> maps_of(const scene::Scene& scene, const Material& m
     const Slot& slot = m.*map.slot;
     if (!has_uv_set(slot, primitive) || !has_image(scene, slot)) continue;
     if (map.feature != Feature::base_color_map && shading == Shading::unlit) continue;
-    if (map.feature == Feature::normal_map && primitive.tangents == scene::none) continue;
-    if (matters(map, m, shading, frame)) maps.push_back(&map);
+    const bool bends = map.feature == Feature::normal_map
+                       || map.feature == Feature::clearcoat_normal_map
+                       || map.feature == Feature::anisotropy_map;
+    if (bends && primitive.tangents == scene::none) continue;
+    if (map.feature == Feature::anisotropy_map ? anisotropy_lobes(m, primitive) > 0
+                                               : matters(map, m, shading, frame))
+      maps.push_back(&map);
   }
   return maps;
 }
@@ -95,6 +124,14 @@ bool is_refractive(const Material& m) {
   // A map can only lower the factor of metal, whose default is 1.
   const bool all_metal = m.metallic >= 1.0f && !m.metallic_roughness_map;
   return m.transmission > 0.0f && !m.unlit && !m.conductor && !all_metal;
+}
+
+int anisotropy_lobes(const Material& m, const Primitive& primitive) {
+  if (!(m.anisotropy_strength > 0.0f) || m.unlit || primitive.tangents == scene::none
+      || is_refractive(m) || m.distribution != scene::Distribution::ggx)
+    return 0;
+  const auto widths = glsl::f32::ggxAnisoWidths(scene::microfacet_alpha(m), m.anisotropy_strength);
+  return glsl::f32::stretchedParts(widths);
 }
 
 bool is_invisible(const Material& m, const Primitive& primitive) {
@@ -140,7 +177,11 @@ Features features_of(const scene::Scene& scene, const Material& m, const Primiti
   set(Feature::correlated_smith,
       frame.correlated_smith && m.distribution == scene::Distribution::ggx);
   set(Feature::method, frame.method);
-  set(Feature::smooth, is_smooth(m));
+  const int brushed = anisotropy_lobes(m, primitive);
+  set(Feature::anisotropy, brushed);
+  set(Feature::clearcoat, has_coat(m));
+  set(Feature::iridescence, has_film(m));
+  set(Feature::smooth, is_smooth(m, brushed));
   set(Feature::environment, frame.environment);
   set(Feature::lights, frame.lights);
   set(Feature::multiple_scattering, frame.multiple_scattering);

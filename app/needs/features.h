@@ -71,12 +71,25 @@ enum class Feature : std::uint32_t {
   smooth,
   neighbours, // of NeighbourKind
   own_proxy,
+  clearcoat,
+  clearcoat_map,
+  clearcoat_roughness_map,
+  clearcoat_normal_map,
+  anisotropy, // lobes that stand for the stretched one; 0: none
+  anisotropy_map,
+  iridescence,
+  iridescence_map,
+  iridescence_thickness_map,
   count
 };
 enum class Shading { unlit, dielectric, metal, mixed, conductor };
 enum class Transmission { none, thin, solid };
 // Bits of what a draw's neighbours are.
 enum NeighbourKind { some_spheres = 1, some_rectangles = 2, some_glass = 4 };
+
+// How many lobes of isotropic surfaces stand for that of a brushed one (environment/stretched_lobe.glsl): none for one
+// that is not, and for glass, whose tables know one width. The error by their number: tests/bench/stretched_lobes.cpp.
+int anisotropy_lobes(const scene::Material& material, const scene::Primitive& primitive);
 
 // True for a material that light passes by refraction. Its alpha mode does not matter.
 bool is_refractive(const scene::Material& material);
@@ -104,7 +117,7 @@ struct MapKind {
   Feature feature;
   bool srgb;
 };
-inline constexpr std::array<MapKind, 9> map_kinds = {{
+inline constexpr std::array<MapKind, 15> map_kinds = {{
     {"baseColorMap", &scene::Material::base_color_map, Feature::base_color_map, true},
     {"metallicRoughnessMap", &scene::Material::metallic_roughness_map,
      Feature::metallic_roughness_map, false},
@@ -115,6 +128,15 @@ inline constexpr std::array<MapKind, 9> map_kinds = {{
     {"specularColorMap", &scene::Material::specular_color_map, Feature::specular_color_map, true},
     {"transmissionMap", &scene::Material::transmission_map, Feature::transmission_map, false},
     {"thicknessMap", &scene::Material::thickness_map, Feature::thickness_map, false},
+    {"clearcoatMap", &scene::Material::clearcoat_map, Feature::clearcoat_map, false},
+    {"clearcoatRoughnessMap", &scene::Material::clearcoat_roughness_map,
+     Feature::clearcoat_roughness_map, false},
+    {"clearcoatNormalMap", &scene::Material::clearcoat_normal_map, Feature::clearcoat_normal_map,
+     false},
+    {"anisotropyMap", &scene::Material::anisotropy_map, Feature::anisotropy_map, false},
+    {"iridescenceMap", &scene::Material::iridescence_map, Feature::iridescence_map, false},
+    {"iridescenceThicknessMap", &scene::Material::iridescence_thickness_map,
+     Feature::iridescence_thickness_map, false},
 }};
 
 struct Features {

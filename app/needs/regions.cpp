@@ -16,6 +16,7 @@ constexpr double fine = 16.0;
 bool can_be_by_pixel(const Draw& draw) {
   return draw.role == Role::opaque && draw.material->alpha_mode == scene::AlphaMode::opaque
          && draw.maps.empty() && value_of(draw.key, Feature::vertex_color) == 0
+         && value_of(draw.key, Feature::anisotropy) == 0
          && value_of(draw.key, Feature::shading) != static_cast<int>(Shading::unlit);
 }
 

@@ -166,11 +166,22 @@ void apply_option(const Reader& read, const std::string& key, const std::string&
     m.attenuation_color = read.color(key, value);
   else if (key == "dispersion")
     m.dispersion = read.number(key, value, 0.0f, unlimited);
+  else if (key == "clearcoat")
+    m.clearcoat = read.number(key, value, 0.0f, 1.0f);
+  else if (key == "clearcoat_roughness")
+    m.clearcoat_roughness = read.number(key, value, 0.0f, 1.0f);
+  else if (key == "iridescence")
+    m.iridescence = read.number(key, value, 0.0f, 1.0f);
+  else if (key == "iridescence_ior")
+    m.iridescence_ior = read.number(key, value, 1.0f, greatest_ior);
+  else if (key == "iridescence_thickness")
+    m.iridescence_thickness = glm::vec2(read.number(key, value, 0.0f, unlimited));
   else
     read.fail(
         "there is no setting '" + key.substr(0, 40) + "'",
         "Settings: alpha, roughness, finish, back_alpha, distribution, color, ior, thickness, "
-        "attenuation_distance, attenuation_color, dispersion.");
+        "attenuation_distance, attenuation_color, dispersion, clearcoat, clearcoat_roughness, "
+        "iridescence, iridescence_ior, iridescence_thickness.");
 }
 
 std::string material_names(const Scene& scene) {

@@ -8,10 +8,17 @@ struct Feature {
   bool (*is_used)(const Material&);
 };
 
+bool is_glass(const Material& m) {
+  return m.transmission > 0.0f && !m.conductor && (m.metallic < 1.0f || m.metallic_roughness_map);
+}
+
 constexpr Feature features[] = {
-    {"KHR_materials_anisotropy", [](const Material& m) { return m.anisotropy_strength > 0.0f; }},
-    {"KHR_materials_clearcoat", [](const Material& m) { return m.clearcoat > 0.0f; }},
-    {"KHR_materials_iridescence", [](const Material& m) { return m.iridescence > 0.0f; }},
+    {"KHR_materials_anisotropy on glass",
+     [](const Material& m) { return is_glass(m) && m.anisotropy_strength > 0.0f; }},
+    {"KHR_materials_clearcoat on glass",
+     [](const Material& m) { return is_glass(m) && m.clearcoat > 0.0f; }},
+    {"KHR_materials_iridescence on glass",
+     [](const Material& m) { return is_glass(m) && m.iridescence > 0.0f; }},
     {"KHR_materials_diffuse_transmission",
      [](const Material& m) { return m.diffuse_transmission > 0.0f; }},
 };

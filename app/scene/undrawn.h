@@ -8,7 +8,7 @@
 
 namespace gg::scene {
 
-// The extensions among anisotropy, clearcoat, iridescence and diffuse transmission that some drawn
+// What among anisotropy, clearcoat and iridescence on glass, and diffuse transmission, some drawn
 // material really uses (a factor other than 0), by glTF name and in that order. They are read into
 // Material; whoever draws the scene without one of them says so.
 std::vector<std::string> undrawn(const Scene& scene);

@@ -15,21 +15,36 @@ double largest(const glm::dvec3& v) {
   return std::max({v.x, v.y, v.z});
 }
 
+Microfacets facets_of(const Interface& i) {
+  return i.brushing ? Microfacets(i.brushing->alpha, i.smith)
+                    : Microfacets(i.distribution, i.alpha, i.smith);
+}
+
+// Any two directions across n will do; this pair never divides by a small number.
+glm::dvec3 across(const glm::dvec3& n) {
+  const glm::dvec3 aside = std::abs(n.x) > 0.5 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  return glm::normalize(glm::cross(aside, n));
+}
+
 } // namespace
 
 Closure::Closure(const Interface& interface, const glm::dvec3& n, const glm::dvec3& wo,
                  double power)
-    : i_(interface), facets_(interface.distribution, interface.alpha, interface.smith), n_(n),
-      wo_(wo), power_(power), dielectric_(1.0 - interface.metallic) {
+    : i_(interface), facets_(facets_of(interface)),
+      coat_facets_(interface.distribution, interface.coat ? interface.coat->alpha : 0.0,
+                   interface.smith),
+      n_(n), wo_(wo), power_(power), dielectric_(1.0 - interface.metallic) {
   // An index of 0 or infinity (glTF's "always reflect", seen from either side) is a mirror.
   if (!(i_.eta > 0.0 && std::isfinite(i_.eta))) i_.eta = 0.0;
   refracts_ = i_.eta > 0.0 && dielectric_ > 0.0 && largest(i_.transmit) > 0.0;
   // At index 1 nothing bends light, however rough: what passes goes straight on, and is a delta.
   lobe_is_delta_ = facets_.smooth() || (i_.eta == 1.0 && i_.metallic == 0.0 && !i_.tinted);
 
-  // Any two directions across n will do; this pair never divides by a small number.
-  const glm::dvec3 aside = std::abs(n.x) > 0.5 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-  x_ = glm::normalize(glm::cross(aside, n));
+  x_ = across(n);
+  if (i_.brushing) {
+    const glm::dvec3 along = i_.brushing->along - glm::dot(i_.brushing->along, n) * n;
+    if (const double length = glm::length(along); length > 0.0) x_ = along / length;
+  }
   y_ = glm::cross(n, x_);
 
   // How much each lobe sends on, guessed for the flat mirror. Any share between 0 and 1 is right on
@@ -43,11 +58,68 @@ Closure::Closure(const Interface& interface, const glm::dvec3& n, const glm::dve
   diffuse_share_ = largest(i_.diffuse) * dielectric_ > 0.0 || i_.many_bounces
                        ? std::clamp(base + lobe > 0.0 ? base / (base + lobe) : 0.5, 0.1, 0.9)
                        : 0.0;
+  if (!i_.coat) return;
+  coat_share_ = f64::coatShare(i_.coat->strength, std::clamp(glm::dot(i_.coat->n, wo), 0.0, 1.0));
+  const double under = (1.0 - coat_share_) * (base + lobe);
+  coat_chance_ =
+      coat_share_ > 0.0 ? std::clamp(coat_share_ / (coat_share_ + under), 0.1, 0.9) : 0.0;
+}
+
+Microfacets::Pair Closure::pair(const f64::Facet& facet, const glm::dvec3& wi,
+                                const glm::dvec3& h) const {
+  const auto local = [&](const glm::dvec3& v) {
+    return glm::dvec3(glm::dot(v, x_), glm::dot(v, y_), glm::dot(v, n_));
+  };
+  return {facet, local(wi), local(wo_), local(h)};
+}
+
+// The coat's lobe on top of what is under it, which it leaves 1 - coat_share_ of, in light and in chance.
+void Closure::add_coat(const glm::dvec3& wi, Scattered& s) const {
+  if (coat_chance_ == 0.0) return;
+  s.f_cos *= 1.0 - coat_share_;
+  s.pdf *= 1.0 - coat_chance_;
+  // What the coat would send below the surface that it lies on is lost.
+  if (coat_facets_.smooth() || !(glm::dot(wi, n_) > 0.0 && glm::dot(wi, i_.coat->n) > 0.0)) return;
+  const f64::Facet facet = f64::reflectionFacet(wi, wo_, i_.coat->n, 0.0);
+  if (!facet.exists) return;
+  const Microfacets::Pair p{.facet = facet};
+  const double lobe =
+      f64::reflectionLobe(facet, coat_facets_.density(p), coat_facets_.shadowing_reflected(p));
+  s.f_cos += glm::dvec3(coat_share_ * lobe * facet.wi.z);
+  s.pdf += coat_chance_ * f64::reflectionPdf(facet, coat_facets_.pdf(p));
+}
+
+std::optional<Drawn> Closure::sample_coat(Random& random) const {
+  const glm::dvec3 n = i_.coat->n, x = across(n), y = glm::cross(n, x);
+  Drawn drawn;
+  if (coat_facets_.smooth()) {
+    drawn.wi = glm::normalize(f64::reflectAbout(wo_, n));
+    drawn.weight = glm::dvec3(coat_share_ / coat_chance_);
+    return drawn;
+  }
+  const glm::dvec3 m = coat_facets_.sample(
+      {glm::dot(wo_, x), glm::dot(wo_, y), std::max(glm::dot(wo_, n), 0.0)}, random);
+  drawn.wi = f64::reflectAbout(wo_, glm::normalize(m.x * x + m.y * y + m.z * n));
+  const double length = glm::length(drawn.wi);
+  if (!(length > 0.0)) return std::nullopt;
+  drawn.wi /= length;
+  if (!(glm::dot(drawn.wi, n_) > 0.0)) return std::nullopt;
+  const Scattered s = evaluate(drawn.wi);
+  if (!(s.pdf > 0.0)) return std::nullopt;
+  drawn.weight = s.f_cos / s.pdf;
+  drawn.pdf = s.pdf;
+  return drawn;
 }
 
 Closure::Fresnel Closure::fresnel(double c) const {
   Fresnel f;
   glm::dvec3 coat(0.0);
+  const auto with_film = [&](const glm::dvec3& bare, const glm::dvec3& f0) {
+    if (!i_.film) return bare;
+    const glm::dvec3 base(f64::filmBaseIor(f0.x), f64::filmBaseIor(f0.y), f64::filmBaseIor(f0.z));
+    const glm::dvec3 film = f64::filmFresnel(c, i_.film->ior, i_.film->thickness, base);
+    return bare + (film - bare) * i_.film->share;
+  };
   if (dielectric_ > 0.0) {
     if (i_.tinted) {
       // Schlick's angle is the one on the outside, in air; from inside it follows from Snell's law.
@@ -63,13 +135,18 @@ Closure::Fresnel Closure::fresnel(double c) const {
       coat = glm::dvec3(f64::fresnelDielectricAt(c, i_.eta));
       f.entering = f64::fresnelTransmittedAt(c, i_.eta);
     }
+    if (i_.film) {
+      coat = with_film(coat,
+                       i_.tinted ? i_.tinted->f0 : glm::dvec3(f64::fresnelNormalIncidence(i_.eta)));
+      f.entering = 1.0 - largest(coat);
+    }
   }
   f.reflected = (dielectric_ * i_.coated) * coat;
   if (i_.metallic > 0.0) {
     const glm::dvec3 metal =
         i_.metal ? f64::fresnelConductorRgb(c, glm::dvec3(i_.metal->n), glm::dvec3(i_.metal->k))
                  : f64::fresnelSchlickRgb(c, i_.metal_f0);
-    f.reflected += i_.metallic * metal;
+    f.reflected += i_.metallic * with_film(metal, i_.metal_f0);
   }
   return f;
 }
@@ -98,6 +175,12 @@ glm::dvec3 Closure::bounced_often(double cos_i) const {
 }
 
 Scattered Closure::evaluate(const glm::dvec3& wi) const {
+  Scattered s = evaluate_base(wi);
+  add_coat(wi, s);
+  return s;
+}
+
+Scattered Closure::evaluate_base(const glm::dvec3& wi) const {
   Scattered s;
   if (glm::dot(wi, n_) > 0.0) {
     const f64::Facet facet = f64::reflectionFacet(wi, wo_, n_, i_.eta);
@@ -109,19 +192,21 @@ Scattered Closure::evaluate(const glm::dvec3& wi) const {
       s.pdf += diffuse_share_ * facet.wi.z / std::numbers::pi;
     }
     if (lobe_is_delta_ || grazing) return s;
+    const Microfacets::Pair p = pair(facet, wi, f64::reflectionHalf(wi, wo_));
     const double lobe =
-        f64::reflectionLobe(facet, facets_.density(facet), facets_.shadowing_reflected(facet));
+        f64::reflectionLobe(facet, facets_.density(p), facets_.shadowing_reflected(p));
     s.f_cos += f.reflected * (lobe * facet.wi.z);
     s.pdf +=
-        (1.0 - diffuse_share_) * chances(f).reflect * f64::reflectionPdf(facet, facets_.pdf(facet));
+        (1.0 - diffuse_share_) * chances(f).reflect * f64::reflectionPdf(facet, facets_.pdf(p));
     return s;
   }
   if (lobe_is_delta_ || !refracts_) return s;
   const f64::Facet facet = f64::transmissionFacet(wi, wo_, n_, i_.eta);
   if (!facet.exists) return s;
   const Fresnel f = fresnel(facet.woDotM);
-  double f_cos = f64::transmissionFCos(facet, facets_.density(facet),
-                                       facets_.shadowing_transmitted(facet), i_.eta);
+  const Microfacets::Pair p = pair(facet, wi, f64::transmissionHalf(wi, wo_, i_.eta));
+  double f_cos =
+      f64::transmissionFCos(facet, facets_.density(p), facets_.shadowing_transmitted(p), i_.eta);
   // The snippet knows the exact 1 - F; a tinted coat lets pass what its own form leaves.
   if (i_.tinted) {
     const double exact = f64::fresnelTransmitted(facet.woDotM, facet.g, i_.eta);
@@ -129,7 +214,7 @@ Scattered Closure::evaluate(const glm::dvec3& wi) const {
   }
   s.f_cos = dielectric_ * f_cos * i_.transmit;
   s.pdf = (1.0 - diffuse_share_) * chances(f).refract
-          * f64::transmissionPdf(facet, facets_.pdf(facet), i_.eta);
+          * f64::transmissionPdf(facet, facets_.pdf(p), i_.eta);
   return s;
 }
 
@@ -150,7 +235,9 @@ std::optional<Drawn> Closure::sample_diffuse(Random& random) const {
 // The whole of a smooth lobe: [Walter07] eq. 39 and 40.
 std::optional<Drawn> Closure::sample_delta(bool reflect, const Fresnel& f, double chance) const {
   Drawn drawn;
-  const double chosen = (1.0 - diffuse_share_) * chance;
+  // Under a coat as much as that leaves, as often as it is not drawn.
+  const double chosen =
+      (1.0 - diffuse_share_) * chance * (1.0 - coat_chance_) / (1.0 - coat_share_);
   if (reflect) {
     drawn.wi = glm::normalize(f64::reflectAbout(wo_, n_));
     drawn.weight = f.reflected / chosen;
@@ -188,6 +275,10 @@ Draws Closure::sample(Random& random) const {
   const auto add = [&](const std::optional<Drawn>& drawn) {
     if (drawn) draws.add(*drawn);
   };
+  if (coat_chance_ > 0.0 && random.uniform() < coat_chance_) {
+    add(sample_coat(random));
+    return draws;
+  }
   if (diffuse_share_ > 0.0 && random.uniform() < diffuse_share_) {
     add(sample_diffuse(random));
     return draws;

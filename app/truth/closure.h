@@ -16,6 +16,23 @@ struct TintedReflectance {
   double f90 = 1.0;
 };
 
+// A clear layer over the rest (shaders/bsdf/clearcoat.glsl).
+struct Coat {
+  double strength = 0.0, alpha = 0.0;
+  glm::dvec3 n{0.0}; // its own normal, dot(n, wo) >= 0
+};
+
+// A film on the reflecting substrate (shaders/bsdf/thin_film.glsl). Share of the surface; nanometres.
+struct ThinFilm {
+  double share = 0.0, ior = 1.3, thickness = 0.0;
+};
+
+// GGX along a direction, where it is not alpha (glTF's brushed surfaces).
+struct Brushing {
+  glm::dvec2 alpha{0.0}; // along, across
+  glm::dvec3 along{0.0}; // unit, perpendicular to n
+};
+
 // What the interface is made of, as seen from the viewer's side.
 struct Interface {
   scene::Distribution distribution = scene::Distribution::ggx;
@@ -35,6 +52,9 @@ struct Interface {
   // within a solid opaque parts of the base come first and hide it: the clear share is left.
   double coated = 1.0;
   glm::dvec3 transmit{0.0}; // factor on what is refracted, all shares included
+  std::optional<Coat> coat;
+  std::optional<ThinFilm> film;
+  std::optional<Brushing> brushing;
 };
 
 struct Scattered {
@@ -76,7 +96,10 @@ public:
   // Directions with a density near that of f_cos. Each counts whole, with its weight.
   Draws sample(Random& random) const;
   // True if nothing but deltas scatter: evaluate() is 0 everywhere.
-  bool only_deltas() const { return lobe_is_delta_ && diffuse_share_ == 0.0; }
+  bool only_deltas() const {
+    return lobe_is_delta_ && diffuse_share_ == 0.0
+           && (coat_chance_ == 0.0 || coat_facets_.smooth());
+  }
 
   struct Fresnel {
     glm::dvec3 reflected{0.0}; // by the coat or the metal
@@ -89,6 +112,11 @@ public:
 
 private:
   double reaches_base(const Fresnel& fresnel) const;
+  Microfacets::Pair pair(const glsl::f64::Facet& facet, const glm::dvec3& wi,
+                         const glm::dvec3& h) const;
+  Scattered evaluate_base(const glm::dvec3& wi) const;
+  void add_coat(const glm::dvec3& wi, Scattered& s) const;
+  std::optional<Drawn> sample_coat(Random& random) const;
   // Probabilities of following what a facet reflects and what it refracts.
   struct Chances {
     double reflect = 1.0, refract = 0.0;
@@ -102,12 +130,13 @@ private:
                                     double chance) const;
 
   Interface i_;
-  Microfacets facets_;
+  Microfacets facets_, coat_facets_;
   glm::dvec3 n_, x_, y_, wo_;
   double power_;
   double dielectric_; // share of what is not metal
   bool refracts_;     // light can pass
   bool lobe_is_delta_;
+  double coat_share_ = 0.0, coat_chance_ = 0.0; // of light, and of sampling
   double diffuse_share_; // probability of drawing by the cosine: for the base and for many bounces
 };
 

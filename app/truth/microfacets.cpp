@@ -7,7 +7,9 @@ namespace gg::truth {
 namespace f64 = glsl::f64;
 using scene::Distribution;
 
-double Microfacets::density(const Facet& f) const {
+double Microfacets::density(const Pair& p) const {
+  if (widths_) return f64::ggxAnisoD(p.h, *widths_);
+  const Facet& f = p.facet;
   switch (distribution_) {
   case Distribution::beckmann:
     return f64::beckmannD(f.h, alpha_);
@@ -47,14 +49,25 @@ double separable(Distribution distribution, const Microfacets::Facet& f, double 
 
 } // namespace
 
-double Microfacets::shadowing_reflected(const Facet& f) const {
+double Microfacets::shadowing_reflected(const Pair& p) const {
+  if (widths_)
+    return smith_ == Smith::separable ? f64::ggxAnisoV(p.wi, p.wo, *widths_)
+                                      : f64::ggxAnisoVCorrelated(p.wi, p.wo, *widths_);
+  const Facet& f = p.facet;
   if (smith_ == Smith::separable) return separable(distribution_, f, alpha_);
   if (distribution_ == Distribution::ggx) return f64::ggxVCorrelated(f.wi, f.wo, alpha_);
   const double sum = lambda(distribution_, f.wi, alpha_) + lambda(distribution_, f.wo, alpha_);
   return over_cosines(1.0 / (1.0 + sum), f);
 }
 
-double Microfacets::shadowing_transmitted(const Facet& f) const {
+double Microfacets::shadowing_transmitted(const Pair& p) const {
+  const Facet& f = p.facet;
+  if (widths_)
+    return smith_ == Smith::separable
+               ? f64::ggxAnisoV(p.wi, p.wo, *widths_)
+               : over_cosines(f64::smithG2Beta(f64::ggxAnisoLambda(p.wi, *widths_),
+                                               f64::ggxAnisoLambda(p.wo, *widths_)),
+                              f);
   if (smith_ == Smith::separable) return separable(distribution_, f, alpha_);
   return over_cosines(
       f64::smithG2Beta(lambda(distribution_, f.wi, alpha_), lambda(distribution_, f.wo, alpha_)),
@@ -71,11 +84,13 @@ glm::dvec3 Microfacets::sample(const glm::dvec3& wo, Random& random) const {
   case Distribution::ggx:
     break;
   }
-  return f64::ggxSampleVisible(wo, glm::dvec2(alpha_), random.uniform2());
+  return f64::ggxSampleVisible(wo, widths_.value_or(glm::dvec2(alpha_)), random.uniform2());
 }
 
-double Microfacets::pdf(const Facet& f) const {
+double Microfacets::pdf(const Pair& p) const {
+  const Facet& f = p.facet;
   if (!f.exists) return 0.0;
+  if (widths_) return f64::ggxAnisoPdfVisible(f, p.h, p.wo, *widths_);
   switch (distribution_) {
   case Distribution::beckmann:
     return beckmann_pdf_visible(f, alpha_);

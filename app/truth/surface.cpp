@@ -97,25 +97,73 @@ glm::dvec3 Surfaces::direction(const Hit& hit, scene::Index index, const glm::dm
   return sum;
 }
 
-// The interpolated normal, bent by the normal map, on the front side. MikkTSpace: the basis is unit
-// at the corners, interpolated, and used as it arrives, neither made unit nor orthogonal again.
-glm::dvec3 Surfaces::normal(const Hit& hit) const {
+// MikkTSpace: the basis is unit at the corners, interpolated, and used as it arrives, neither made
+// unit nor orthogonal again.
+Surfaces::Basis Surfaces::basis(const Hit& hit) const {
   const Part& part = *hit.part;
-  const Material& m = *part.material;
-  const glm::dvec3 normal = direction(hit, part.primitive->normals, part.normal_from_mesh);
-  glm::dvec3 n = normal;
-  if (part.primitive->tangents != scene::none && reads(hit, m.normal_map)) {
-    const glm::dvec3 tangent =
-        direction(hit, part.primitive->tangents, glm::dmat3(part.world_from_mesh));
-    const double sign = interpolate(hit, part.primitive->tangents).w;
-    const double side = part.mirrored ? -sign : sign;
-    glm::dvec3 bend = glm::dvec3(map(hit, m.normal_map, Encoding::linear)) * 2.0 - 1.0;
-    const double scale = static_cast<double>(m.normal_map.scale);
+  Basis b{.normal = direction(hit, part.primitive->normals, part.normal_from_mesh),
+          .tangent = glm::dvec3(0.0),
+          .bitangent = glm::dvec3(0.0)};
+  if (part.primitive->tangents == scene::none) return b;
+  b.tangent = direction(hit, part.primitive->tangents, glm::dmat3(part.world_from_mesh));
+  const double sign = interpolate(hit, part.primitive->tangents).w;
+  b.bitangent = (part.mirrored ? -sign : sign) * glm::cross(b.normal, b.tangent);
+  return b;
+}
+
+glm::dvec3 Surfaces::normal(const Hit& hit, const Basis& b, const scene::Slot& bent_by) const {
+  glm::dvec3 n = b.normal;
+  if (hit.part->primitive->tangents != scene::none && reads(hit, bent_by)) {
+    glm::dvec3 bend = glm::dvec3(map(hit, bent_by, Encoding::linear)) * 2.0 - 1.0;
+    const double scale = static_cast<double>(bent_by.scale);
     bend.x *= scale, bend.y *= scale;
-    n = bend.x * tangent + bend.y * side * glm::cross(normal, tangent) + bend.z * normal;
+    n = bend.x * b.tangent + bend.y * b.bitangent + bend.z * b.normal;
   }
   const double length = glm::length(n);
   return length > 0.0 && std::isfinite(length) ? n / length : hit.normal;
+}
+
+// What lies over the base and how it is brushed: KHR_materials_clearcoat, _iridescence, _anisotropy. All are of
+// opaque surfaces, as in the raster.
+void Surfaces::read_layers(const Hit& hit, const Basis& b, Surface& s) const {
+  const Material& m = *s.material;
+  const bool opaque = s.kind == SurfaceKind::opaque;
+  if (m.clearcoat > 0.0f && opaque) {
+    const double roughness = static_cast<double>(m.clearcoat_roughness)
+                             * map(hit, m.clearcoat_roughness_map, Encoding::linear).y;
+    const glm::dvec3 n = normal(hit, b, m.clearcoat_normal_map);
+    s.coat = Coat{.strength = static_cast<double>(m.clearcoat)
+                              * map(hit, m.clearcoat_map, Encoding::linear).x,
+                  .alpha = roughness * roughness,
+                  .n = face_viewer(s.front ? n : -n, s.wo)};
+  }
+  if (m.iridescence > 0.0f && opaque) {
+    const double at = map(hit, m.iridescence_thickness_map, Encoding::linear).y;
+    const glm::dvec2 thickness(m.iridescence_thickness);
+    s.film = ThinFilm{.share = static_cast<double>(m.iridescence)
+                           * map(hit, m.iridescence_map, Encoding::linear).x,
+                  .ior = static_cast<double>(m.iridescence_ior),
+                  .thickness = thickness.x + (thickness.y - thickness.x) * at};
+    if (!(s.film->thickness > 0.0)) s.film.reset();
+  }
+  if (m.anisotropy_strength > 0.0f && opaque && m.distribution == scene::Distribution::ggx
+      && hit.part->primitive->tangents != scene::none) {
+    double strength = static_cast<double>(m.anisotropy_strength);
+    glm::dvec2 along(1.0, 0.0);
+    if (reads(hit, m.anisotropy_map)) {
+      const glm::dvec4 texel = map(hit, m.anisotropy_map, Encoding::linear);
+      along = glm::dvec2(texel) * 2.0 - 1.0;
+      strength *= texel.z;
+    }
+    const double turn = static_cast<double>(m.anisotropy_rotation);
+    const double c = std::cos(turn), sine = std::sin(turn);
+    along = {c * along.x - sine * along.y, sine * along.x + c * along.y};
+    glm::dvec3 world = along.x * b.tangent + along.y * b.bitangent;
+    world -= glm::dot(world, s.n) * s.n;
+    if (const double length = glm::length(world); length > 0.0 && strength > 0.0)
+      s.brushing =
+          Brushing{.alpha = glsl::f64::ggxAnisoWidths(s.alpha, strength), .along = world / length};
+  }
 }
 
 Surface Surfaces::read(const Hit& hit, const glm::dvec3& wo) const {
@@ -131,7 +179,8 @@ Surface Surfaces::read(const Hit& hit, const glm::dvec3& wo) const {
   s.base_color = glm::dvec3(base);
   if (s.kind == SurfaceKind::unlit) return s;
 
-  const glm::dvec3 n = normal(hit);
+  const Basis b = basis(hit);
+  const glm::dvec3 n = normal(hit, b, m.normal_map);
   s.n = face_viewer(s.front ? n : -n, wo); // glTF: a back face's normal is turned before lighting
 
   double roughness = static_cast<double>(m.roughness);
@@ -165,6 +214,9 @@ Surface Surfaces::read(const Hit& hit, const glm::dvec3& wo) const {
                   + static_cast<double>(m.occlusion_map.scale)
                         * (map(hit, m.occlusion_map, Encoding::linear).x - 1.0);
   s.emissive = glm::dvec3(m.emissive) * glm::dvec3(map(hit, m.emissive_map, Encoding::srgb));
+  read_layers(hit, b, s);
+  if (s.coat) // what the base emits is under it
+    s.emissive *= 1.0 - glsl::f64::coatShare(s.coat->strength, glm::dot(s.coat->n, s.wo));
   return s;
 }
 
@@ -191,6 +243,9 @@ Interface interface_of(const Surface& s, double near_ior, double far_ior, Smith 
   i.diffuse = (1.0 - s.transmission) * s.base_color;
   i.transmit = s.transmission * tint;
   if (from_within) i.coated = s.transmission;
+  i.coat = s.coat;
+  i.film = s.film;
+  i.brushing = s.brushing;
   return i;
 }
 

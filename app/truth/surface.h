@@ -27,8 +27,11 @@ struct Surface {
 
   glm::dvec3 base_color{1.0}, emissive{0.0}, specular_color{1.0};
   double metallic = 0.0, alpha = 0.0, specular = 1.0, occlusion = 1.0;
-  double transmission = 0.0;       // share of the dielectric's base that is refracted
-  double thickness = 0.0;          // of a plate, metres: a sheet with a volume that has no inside
+  double transmission = 0.0; // share of the dielectric's base that is refracted
+  double thickness = 0.0;    // of a plate, metres: a sheet with a volume that has no inside
+  std::optional<Coat> coat;
+  std::optional<ThinFilm> film;
+  std::optional<Brushing> brushing;
   bool tinted_reflectance = false; // by specular and specular_color: Schlick's form
 };
 
@@ -53,7 +56,13 @@ private:
   glm::dvec4 interpolate(const Hit& hit, scene::Index stream) const;
   glm::dvec3 direction(const Hit& hit, scene::Index stream, const glm::dmat3& world) const;
   glm::dvec4 base_color(const Hit& hit) const;
-  glm::dvec3 normal(const Hit& hit) const;
+  struct Basis {
+    glm::dvec3 normal, tangent, bitangent; // as they are interpolated, on the front side
+  };
+  Basis basis(const Hit& hit) const;
+  // On the front side, unit; bent by the map if the mesh has what it takes.
+  glm::dvec3 normal(const Hit& hit, const Basis& basis, const scene::Slot& bent_by) const;
+  void read_layers(const Hit& hit, const Basis& basis, Surface& s) const;
 
   const scene::Scene& scene_;
   Textures textures_;

@@ -23,7 +23,7 @@ using glm::vec4;
 static_assert(offsetof(FrameData, eye) == 128 && sizeof(FrameData) == 496);
 static_assert(offsetof(InstanceData, normalFromMesh) == 64 && sizeof(InstanceData) == 128);
 static_assert(offsetof(LightData, cone) == 48 && sizeof(LightData) == 64);
-static_assert(offsetof(MaterialData, baseColorRow0) == 128 && sizeof(MaterialData) == 416);
+static_assert(offsetof(MaterialData, baseColorRow0) == 176 && sizeof(MaterialData) == 656);
 static_assert(sizeof(NeighbourData) == 112 && offsetof(NeighboursData, each) == 16);
 static_assert(sizeof(RegionData) == 32);
 

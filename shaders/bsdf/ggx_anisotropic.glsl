@@ -4,13 +4,21 @@
 // Returns  ggxAnisoD: 1/sr. ggxAnisoLambda: >= 0. ggxAnisoG1, ggxAnisoG2...: [0, 1]. ggxAnisoV...: G2 / (4 |wi.n|
 //          |wo.n|). ggxAnisoPdf...: 1/sr. ggxAnisoSample: unit wm. Visible normals: ggxSampleVisible of ggx.glsl,
 //          which takes both widths.
-// Source   [Heitz14] eq. 85-87 (D and Lambda by stretching).
+//          ggxAnisoWidths: the two widths, .x >= .y > 0.
+// Source   [Heitz14] eq. 85-87 (D and Lambda by stretching). KHR_materials_anisotropy (widths).
 // Limits   as ggx.glsl. With equal widths every function equals its counterpart there (a test holds that).
 #ifndef GG_BSDF_GGX_ANISOTROPIC_GLSL
 #define GG_BSDF_GGX_ANISOTROPIC_GLSL
 
 #include "bsdf/constants.glsl"
 #include "bsdf/ggx.glsl"
+
+// glTF's: along the brushing mix(alpha, 1, strength²), across it alpha. A surface that is smooth across has no density: a line;
+// a milliradian stands for it.
+vec2 ggxAnisoWidths(float alpha, float strength) {
+  float across = max(alpha, 1e-3);
+  return vec2(across + (1.0 - across) * strength * strength, across);
+}
 
 // D = s² / (pi ax ay ((h.x / ax)² + (h.y / ay)² + h.z²)²) with s = |h|².
 float ggxAnisoD(vec3 h, vec2 alpha) {

@@ -12,6 +12,9 @@ struct MaterialData {
     vec4 transmission;      // x: factor, y: width of D where light leaves a solid, -1 if that of the front, z: dispersion,
                             // w: the material's number
     vec4 attenuation;       // xyz: absorption per metre; w: thickness in mesh units
+    vec4 clearcoat;         // x: factor, y: roughness
+    vec4 anisotropy;        // x: strength; y, z: cosine and sine of its rotation
+    vec4 film;              // x: factor, y: ior; z, w: thickness where its map is 0 and where it is 1, nanometres
     // KHR_texture_transform of each map: uv' = (row0 . (u, v, 1), row1 . (u, v, 1)); row1.w: scale or strength.
     vec4 baseColorRow0;
     vec4 baseColorRow1;
@@ -31,6 +34,18 @@ struct MaterialData {
     vec4 transmissionRow1;
     vec4 thicknessRow0;
     vec4 thicknessRow1;
+    vec4 clearcoatRow0;
+    vec4 clearcoatRow1;
+    vec4 clearcoatRoughnessRow0;
+    vec4 clearcoatRoughnessRow1;
+    vec4 clearcoatNormalRow0;
+    vec4 clearcoatNormalRow1;
+    vec4 anisotropyRow0;
+    vec4 anisotropyRow1;
+    vec4 iridescenceRow0;
+    vec4 iridescenceRow1;
+    vec4 iridescenceThicknessRow0;
+    vec4 iridescenceThicknessRow1;
 };
 
 #ifndef __cplusplus

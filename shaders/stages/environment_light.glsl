@@ -32,6 +32,8 @@ vec3 reflectedRadiance(Surface s, vec3 direction, float sigma) {
     return surroundingRadiance(s.position, s.n, direction, seen);
 }
 
+#include "stages/brushed.glsl"
+
 // The reflection lobe: what arrives along the tap is seen times the weight. And all else that the surroundings make of the
 // surface: diffuse light under it, and what scattered more than once.
 struct EnvironmentLight {
@@ -53,8 +55,10 @@ EnvironmentLight environmentLobe(Surface s) {
         light.tap.sigma = 0.0;
         light.tap.weight = 1.0;
     } else {
-        LobeEnergy energy = fetchLobeEnergy(energyTable, cosO, s.alpha);
+        float width = brushedLobes > 0 ? stretchedEnergyAlpha(brushWidths(s)) : s.alpha;
+        LobeEnergy energy = fetchLobeEnergy(energyTable, cosO, width);
         albedo = energy.albedo;
+        if (brushedLobes > 0) albedo = stretchedAlbedo(s.wo * brushFrame(s), brushWidths(s));
         reflectance = lobeMeanRgb(energy, materialFresnel(s, energy.cos1), materialFresnel(s, energy.cos2));
         // At a constant angle Fresnel's branches would ask for the material's numbers alone (of_pixel.glsl).
         light.edge = edgeShare(meanOf(materialFresnel(s, ofPixel(1.0))), meanOf(reflectance));
@@ -84,6 +88,7 @@ EnvironmentLight environmentLobe(Surface s) {
 
 vec3 environmentLight(Surface s) {
     EnvironmentLight light = environmentLobe(s);
+    if (brushedLobes > 0) return light.diffuse + light.weight * brushedRadiance(s, light.edge);
     LobeTap tap = light.tap;
     vec3 sum = tap.weight * reflectedRadiance(s, tap.direction, tap.sigma);
     if (lobeTaps > 1) {

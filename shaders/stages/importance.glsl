@@ -29,18 +29,21 @@ float facetWeight(vec3 wm, float alpha) {
 
 // Mean radiance over the reflection lobe, to be weighted with its energy.
 vec3 sampledReflection(Surface s, int n) {
-    mat3 basis = frameAbout(s.n);
+    mat3 basis = brushedLobes > 0 ? brushFrame(s) : frameAbout(s.n);
+    vec2 widths = brushedLobes > 0 ? brushWidths(s) : vec2(s.alpha);
     vec3 wo = transpose(basis) * s.wo;
     vec3 sum = vec3(0.0);
     vec3 weights = vec3(0.0);
     for (int i = 0; i < n; ++i) {
-        vec3 wm = ggxSampleVisible(wo, vec2(s.alpha), hammersley(i, n));
+        vec3 wm = ggxSampleVisible(wo, widths, hammersley(i, n));
         float c = dot(wo, wm);
         vec3 wi = 2.0 * c * wm - wo;
         if (!(wi.z > 0.0)) continue;
-        float pdf = ggxD(tilt(wm), s.alpha) / (2.0 * (wo.z + ggxRoot(tilt(wo), s.alpha)));
-        vec3 weight = facetWeight(wm, s.alpha) * materialFresnel(s, c) * ggxG1(tilt(wi), s.alpha);
-        float sigma = s.alpha > 0.0 ? 0.35 * inversesqrt(float(n) * pdf) : 0.0;
+        float d = brushedLobes > 0 ? ggxAnisoD(wm, widths) : ggxD(tilt(wm), s.alpha);
+        float root = brushedLobes > 0 ? ggxAnisoRoot(wo, widths) : ggxRoot(tilt(wo), s.alpha);
+        float g1 = brushedLobes > 0 ? ggxAnisoG1(wi, widths) : ggxG1(tilt(wi), s.alpha);
+        vec3 weight = facetWeight(wm, s.alpha) * materialFresnel(s, c) * g1;
+        float sigma = s.alpha > 0.0 ? 0.35 * inversesqrt(float(n) * d / (2.0 * (wo.z + root))) : 0.0;
         sum += weight * reflectedRadiance(s, basis * wi, sigma);
         weights += weight;
     }

@@ -34,4 +34,13 @@ layout(constant_id = 28) const bool seenFromWithin = false; // back faces of the
 layout(constant_id = 29) const bool isSmooth = false; // alpha 0 on every face: nothing scatters, no table is read
 layout(constant_id = 30) const int neighbourKinds = 0; // what stands around it: 1 spheres, 2 rectangles, 4 glass among them
 layout(constant_id = 31) const int ownProxy = 0; // what stands for the draw's own body: 0 nothing, 1 a sphere, 2 a rectangle
+layout(constant_id = 32) const bool hasCoat = false; // KHR_materials_clearcoat
+layout(constant_id = 33) const int clearcoatMapUv = 0;
+layout(constant_id = 34) const int clearcoatRoughnessMapUv = 0;
+layout(constant_id = 35) const int clearcoatNormalMapUv = 0;
+layout(constant_id = 36) const int brushedLobes = 0; // KHR_materials_anisotropy: lobes that stand for the stretched one; 0: none
+layout(constant_id = 37) const int anisotropyMapUv = 0;
+layout(constant_id = 38) const bool hasFilm = false; // KHR_materials_iridescence
+layout(constant_id = 39) const int iridescenceMapUv = 0;
+layout(constant_id = 40) const int iridescenceThicknessMapUv = 0;
 layout(constant_id = 26) const int interiorPairs = 0; // of front and back faces that the inside is followed through

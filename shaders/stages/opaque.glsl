@@ -10,6 +10,7 @@
 #include "stages/surroundings.glsl"
 #include "stages/environment_light.glsl"
 #include "stages/importance.glsl"
+#include "stages/clearcoat.glsl"
 
 vec4 opaqueColor(vec4 base) {
     float coverage = alphaMode == 2 ? base.w : 1.0;
@@ -21,5 +22,5 @@ vec4 opaqueColor(vec4 base) {
         else radiance += environmentLight(s);
     }
     if (hasLights) radiance += punctualLight(s);
-    return vec4(radiance * coverage, coverage);
+    return vec4(coated(s, radiance) * coverage, coverage);
 }

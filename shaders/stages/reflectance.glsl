@@ -9,6 +9,7 @@
 #include "bsdf/multiple_scattering.glsl"
 #include "bsdf/phong.glsl"
 #include "bsdf/reflection.glsl"
+#include "stages/film.glsl"
 
 // A dielectric whose reflectance glTF gives as a colour: reflectance at 0 and at 90 degrees.
 struct SchlickPair {
@@ -27,17 +28,23 @@ SchlickPair dielectricSchlick(Surface s) {
 }
 
 vec3 dielectricFresnel(Surface s, float c) {
-    if (!schlickDielectric) return vec3(fresnelDielectricAt(c, material.surface.w));
+    if (!schlickDielectric) {
+        float f = fresnelDielectricAt(c, material.surface.w);
+        return underFilm(s, c, vec3(f), vec3(fresnelNormalIncidence(material.surface.w)));
+    }
     SchlickPair pair = dielectricSchlick(s);
-    return pair.f0 + (vec3(pair.f90) - pair.f0) * schlickWeight(c);
+    return underFilm(s, c, pair.f0 + (vec3(pair.f90) - pair.f0) * schlickWeight(c), pair.f0);
 }
+
+vec3 metalFresnel(Surface s, float c) { return underFilm(s, c, fresnelSchlickRgb(c, s.baseColor), s.baseColor); }
 
 // The material's reflectance at the cosine c between direction and facet; a mixture's by its parts.
 vec3 materialFresnel(Surface s, float c) {
-    if (shading == 4) return fresnelConductorRgb(c, material.conductorN.xyz, material.conductorK.xyz);
-    if (shading == 2) return fresnelSchlickRgb(c, s.baseColor);
+    if (shading == 4)
+        return underFilm(s, c, fresnelConductorRgb(c, material.conductorN.xyz, material.conductorK.xyz), s.baseColor);
+    if (shading == 2) return metalFresnel(s, c);
     vec3 dielectric = dielectricFresnel(s, c);
-    return shading == 3 ? mix(dielectric, fresnelSchlickRgb(c, s.baseColor), s.metallic) : dielectric;
+    return shading == 3 ? mix(dielectric, metalFresnel(s, c), s.metallic) : dielectric;
 }
 
 // D V of the material's distribution: f_r without Fresnel's factor.
@@ -51,11 +58,23 @@ float materialLobe(Surface s, Facet f) {
     return reflectionLobe(f, ggxD(f.h, s.alpha), v);
 }
 
+// The same of a brushed surface: GGX of two widths.
+mat3 brushFrame(Surface s) { return mat3(s.brush, cross(s.n, s.brush), s.n); }
+vec2 brushWidths(Surface s) { return vec2(s.along, s.alpha); }
+
+float brushedLobe(Surface s, vec3 wi) {
+    mat3 world = brushFrame(s);
+    vec3 i = wi * world;
+    vec3 o = s.wo * world;
+    float v = correlatedSmith ? ggxAnisoVCorrelated(i, o, brushWidths(s)) : ggxAnisoV(i, o, brushWidths(s));
+    return ggxAnisoD(i + o, brushWidths(s)) * v;
+}
+
 // f(wi, wo) |wi . n|. Smooth surfaces (alpha = 0) reflect a point of light to nobody: 0.
 vec3 materialFCos(Surface s, vec3 wi) {
     Facet f = reflectionFacet(wi, s.wo, s.n, 1.5); // its g, which alone depends on the index, is not used below
     if (!f.exists) return vec3(0.0);
-    float lobe = materialLobe(s, f);
+    float lobe = brushedLobes > 0 ? brushedLobe(s, wi) : materialLobe(s, f);
     float c = f.woDotM;
     vec3 value = materialFresnel(s, c) * lobe;
     if (shading == 1 || shading == 3) {

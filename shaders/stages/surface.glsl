@@ -2,6 +2,7 @@
 // Frame    world, metres; directions unit and away from the surface.
 // Needs    the inputs of opaque.vert, interface/frame.glsl, interface/material.glsl, stages/material_features.glsl.
 // Source   glTF 2.0 §3.9 and the extensions named at each line.
+#include "bsdf/ggx_anisotropic.glsl"
 #include "stages/of_pixel.glsl"
 #include "stages/picture_pixel.glsl"
 
@@ -14,6 +15,9 @@ layout(binding = 13) uniform sampler2D specularMap;
 layout(binding = 14) uniform sampler2D specularColorMap;
 layout(binding = 15) uniform sampler2D transmissionMap;
 layout(binding = 21) uniform sampler2D thicknessMap;
+layout(binding = 43) uniform sampler2D anisotropyMap;
+layout(binding = 44) uniform sampler2D iridescenceMap;
+layout(binding = 45) uniform sampler2D iridescenceThicknessMap;
 
 struct Surface {
     vec3 position;
@@ -28,6 +32,10 @@ struct Surface {
     float occlusion;
     vec3 emissive;
     float turn;        // turnOverPixel of the mirror's direction
+    vec3 brush;        // KHR_materials_anisotropy: unit, in the surface, along the brushing; width of D along it. alpha: across
+    float along;
+    float filmShare;   // KHR_materials_iridescence
+    float filmThickness; // nanometres
 };
 
 vec2 mapUv(int uvPlusOne, vec4 row0, vec4 row1) {
@@ -44,19 +52,60 @@ vec4 surfaceBaseColor() {
     return color;
 }
 
-// The interpolated normal, bent by the normal map. MikkTSpace: the basis is interpolated and used as it arrives, neither
-// made unit nor orthogonal, because that is what the map was baked for.
-vec3 surfaceNormal(bool front) {
-    vec3 n = inNormal;
-    if (normalMapUv > 0) {
-        vec3 bitangent = inTangent.w * cross(inNormal, inTangent.xyz);
-        vec3 bend = texture(normalMap, mapUv(normalMapUv, material.normalRow0, material.normalRow1)).xyz * 2.0 - 1.0;
-        bend.xy *= material.normalRow1.w;
-        n = bend.x * inTangent.xyz + bend.y * bitangent + bend.z * inNormal;
-    }
+// The interpolated normal, bent by a normal map's texel. MikkTSpace: the basis is interpolated and used as it arrives, neither made
+// unit nor orthogonal, because that is what the map was baked for.
+vec3 bentNormal(vec3 bend, float scale) {
+    vec3 bitangent = inTangent.w * cross(inNormal, inTangent.xyz);
+    return scale * bend.x * inTangent.xyz + scale * bend.y * bitangent + bend.z * inNormal;
+}
+
+vec3 unitNormal(vec3 n, bool front) {
     if (!front) n = -n; // glTF: a back face's normal is turned before lighting
     float s = dot(n, n);
     return s > 0.0 ? n * inversesqrt(s) : vec3(0.0, 0.0, 1.0);
+}
+
+vec3 surfaceNormal(bool front) {
+    vec3 n = inNormal;
+    if (normalMapUv > 0)
+        n = bentNormal(texture(normalMap, mapUv(normalMapUv, material.normalRow0, material.normalRow1)).xyz * 2.0 - 1.0,
+                       material.normalRow1.w);
+    return unitNormal(n, front);
+}
+
+// KHR_materials_anisotropy: direction and strength of the brushing.
+void readBrushing(inout Surface s) {
+    float strength = material.anisotropy.x;
+    vec2 along = vec2(1.0, 0.0);
+    if (anisotropyMapUv > 0) {
+        vec3 map = texture(anisotropyMap, mapUv(anisotropyMapUv, material.anisotropyRow0, material.anisotropyRow1)).xyz;
+        along = map.xy * 2.0 - 1.0;
+        strength *= map.z;
+    }
+    along = mat2(material.anisotropy.y, material.anisotropy.z, -material.anisotropy.z, material.anisotropy.y) * along;
+    vec3 world = along.x * inTangent.xyz + along.y * inTangent.w * cross(inNormal, inTangent.xyz);
+    world -= dot(world, s.n) * s.n;
+    float size = dot(world, world);
+    // Where the map or the mesh says no direction, none is favoured.
+    vec3 any = abs(s.n.x) > 0.5 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+    bool known = size > 0.0;
+    s.brush = known ? world * inversesqrt(size) : normalize(cross(any, s.n));
+    vec2 widths = ggxAnisoWidths(s.alpha, known ? strength : 0.0);
+    s.along = widths.x;
+    s.alpha = widths.y;
+}
+
+// KHR_materials_iridescence.
+void readFilm(inout Surface s) {
+    s.filmShare = material.film.x;
+    s.filmThickness = material.film.w;
+    if (iridescenceMapUv > 0)
+        s.filmShare *= texture(iridescenceMap, mapUv(iridescenceMapUv, material.iridescenceRow0, material.iridescenceRow1)).x;
+    if (iridescenceThicknessMapUv > 0)
+        s.filmThickness = mix(material.film.z, material.film.w,
+                              texture(iridescenceThicknessMap,
+                                      mapUv(iridescenceThicknessMapUv, material.iridescenceThicknessRow0, material.iridescenceThicknessRow1)).y);
+    if (s.filmThickness <= 0.0) s.filmShare = 0.0;
 }
 
 // Interpolated and mapped normals can turn away from a viewer who sees the surface. Microfacet theory has no answer
@@ -118,6 +167,8 @@ Surface readSurface(vec4 base) {
     if (emissiveMapUv > 0)
         s.emissive *= texture(emissiveMap, mapUv(emissiveMapUv, material.emissiveRow0, material.emissiveRow1)).xyz;
     s.turn = turnOverPixel(reflect(-s.wo, s.n));
+    if (brushedLobes > 0) readBrushing(s);
+    if (hasFilm) readFilm(s);
     return s;
 }
 

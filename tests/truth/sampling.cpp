@@ -2,6 +2,7 @@
 #include "truth/beckmann_visible.h"
 #include "truth/closure.h"
 #include "truth/estimate.h"
+#include "truth/surface.h"
 
 #include <numbers>
 
@@ -108,10 +109,18 @@ struct NamedInterface {
   Interface interface;
 };
 
+// Coats have a normal of their own, near that of the surface and on wo's side.
+Interface over(Interface interface, const glm::dvec3& n, const glm::dvec3& wo) {
+  if (interface.coat)
+    interface.coat->n = face_viewer(glm::normalize(n + glm::dvec3(0.1, -0.2, 0.1)), wo);
+  return interface;
+}
+
 std::vector<NamedInterface> interfaces() {
   const Interface glass{.alpha = 0.35, .eta = 1.5, .transmit = glm::dvec3(1.0)};
   Interface leaving = glass, plastic = glass, mixed = glass, tinted = glass, beckmann = glass,
-            phong = glass, correlated = glass, metal = glass;
+            phong = glass, correlated = glass, metal = glass, coated = glass, brushed = glass,
+            film = glass;
   leaving.eta = 1.0 / 1.5;
   plastic.transmit = glm::dvec3(0.0);
   plastic.diffuse = {0.8, 0.5, 0.1};
@@ -125,9 +134,18 @@ std::vector<NamedInterface> interfaces() {
   correlated.smith = Smith::correlated;
   metal.metallic = 1.0;
   metal.metal = scene::Conductor{{0.2f, 0.9f, 1.4f}, {3.9f, 2.5f, 1.8f}};
-  return {{"entering glass", glass}, {"leaving glass", leaving}, {"plastic", plastic},
-          {"mixed", mixed},          {"tinted", tinted},         {"Beckmann", beckmann},
-          {"Phong", phong},          {"correlated", correlated}, {"gold", metal}};
+  coated.transmit = glm::dvec3(0.0);
+  coated.diffuse = {0.8, 0.5, 0.1};
+  coated.coat = Coat{.strength = 0.8, .alpha = 0.2, .n = {}};
+  brushed.brushing = Brushing{.alpha = {0.6, 0.15}, .along = glm::normalize(glm::dvec3(1, 2, 2))};
+  film.transmit = glm::dvec3(0.0);
+  film.metallic = 0.5;
+  film.metal_f0 = {0.9, 0.5, 0.2};
+  film.film = ThinFilm{.share = 0.9, .ior = 1.35, .thickness = 420.0};
+  return {{"coated plastic", coated}, {"brushed glass", brushed}, {"film on metal", film},
+          {"entering glass", glass},  {"leaving glass", leaving}, {"plastic", plastic},
+          {"mixed", mixed},           {"tinted", tinted},         {"Beckmann", beckmann},
+          {"Phong", phong},           {"correlated", correlated}, {"gold", metal}};
 }
 
 TEST(truth_closure, directions_are_drawn_with_their_density) {
@@ -137,7 +155,7 @@ TEST(truth_closure, directions_are_drawn_with_their_density) {
       const glm::dvec3 n(2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0),
           across(-1.0 / 3.0, -2.0 / 3.0, 2.0 / 3.0);
       const glm::dvec3 wo = cos_o * n + std::sqrt(1.0 - cos_o * cos_o) * across;
-      const Closure closure(i.interface, n, wo);
+      const Closure closure(over(i.interface, n, wo), n, wo);
       expect_histogram_matches(
           [&](Random& random) {
             const Draws draws = closure.sample(random);
@@ -152,7 +170,7 @@ TEST(truth_closure, weights_average_to_the_integral_of_f_cos) {
   for (const NamedInterface& i : interfaces())
     for (const double cos_o : {0.95, 0.3}) {
       const glm::dvec3 n(0.0, 0.0, 1.0), wo(std::sqrt(1.0 - cos_o * cos_o), 0.0, cos_o);
-      const Closure closure(i.interface, n, wo);
+      const Closure closure(over(i.interface, n, wo), n, wo);
       Mean drawn_mean, uniform_mean;
       for (std::uint64_t k = 0; k < 100000; ++k) {
         Random random(3, 0, k);
@@ -182,7 +200,7 @@ TEST(truth_closure, splitting_changes_the_paths_and_not_the_light) {
   const glm::dvec3 n(0.0, 0.0, 1.0), wo(0.6, 0.0, 0.8);
   for (const NamedInterface& named : interfaces())
     for (const double alpha : {0.0, named.interface.alpha}) {
-      Interface interface = named.interface;
+      Interface interface = over(named.interface, n, wo);
       interface.alpha = alpha;
       const Closure one(interface, n, wo), split(interface, n, wo, 1.0);
       Mean means[2][2], densities; // one or split, reflected or transmitted

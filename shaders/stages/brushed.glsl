@@ -1,0 +1,43 @@
+// brushed.glsl: the reflection lobe of a brushed surface (KHR_materials_anisotropy).
+// Needs    stages/reflectance.glsl; included by stages/environment_light.glsl.
+// Source   environment/stretched_lobe.glsl; for --method standard what peers do: one lookup along the mirror direction of a normal
+//          that is bent about the brushing, at the width across it.
+#include "environment/stretched_lobe.glsl"
+
+vec3 peersRadiance(Surface s) {
+    vec3 bent = cross(cross(s.brush, s.wo), s.brush);
+    float smoothness = 1.0 - sqrt(s.alpha);
+    float stretch = sqrt(max((s.along - s.alpha) / max(1.0 - s.alpha, 1e-3), 0.0)); // the strength
+    float keep = 1.0 - stretch * (1.0 - smoothness);
+    keep *= keep;
+    keep *= keep;
+    bent = normalize(mix(normalize(bent), s.n, keep));
+    LobeTap tap = fetchStandardTap(lobeTable, s.wo, bent, s.alpha);
+    return reflectedRadiance(s, tap.direction, tap.sigma);
+}
+
+// The mean of what arrives over the lobe.
+vec3 brushedRadiance(Surface s, float edge) {
+    if (method == 0) return peersRadiance(s);
+    mat3 world = brushFrame(s);
+    vec3 wo = s.wo * world;
+    // Where a picture takes several samples, each has places of its own between the parts' and is as much sharper: of N samples
+    // frame.part.w is 1 / (12 N). Their sigmas, of half of the variance, are made even by the normal distribution's logistic form
+    // [BowlingKhasawneh09].
+    bool several = frame.part.z < 1.0;
+    float shift = several ? 1.0 / (1.0 + exp(-2.4 * frame.part.x)) - 0.5 : 0.0;
+    float sharpness = several ? min(sqrt(12.0 * frame.part.w), 1.0) : 1.0;
+    vec3 sum = vec3(0.0);
+    float weights = 0.0;
+    for (int k = 0; k < brushedLobes; ++k) {
+        StretchedPart part = stretchedPart(wo, brushWidths(s), k, brushedLobes, shift, sharpness);
+        vec3 n = world * part.n;
+        if (!(ofPixel(part.weight) > 0.0)) continue;
+        for (int t = 0; t < lobeTaps; ++t) {
+            LobeTap tap = fetchLobeTapOf(lobeTable, t, lobeTaps, s.wo, n, part.alpha, edge);
+            sum += part.weight * tap.weight * reflectedRadiance(s, tap.direction, tap.sigma);
+        }
+        weights += part.weight;
+    }
+    return sum / max(weights, 1e-6);
+}

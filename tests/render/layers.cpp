@@ -1,0 +1,186 @@
+// Coats over a surface, films on it, and brushing: against their formulas in double precision.
+#include "glsl/f64.h"
+#include "render/harness.h"
+#include "render/shapes.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace gg::test {
+namespace {
+
+namespace f64 = glsl::f64;
+
+constexpr int size = 64;
+// A dozen float32 operations on interpolated coordinates, and lobes that divide by alpha.
+constexpr double rounding = 1e-3;
+
+frame::FrameDesc head_on() {
+  return {.width = size, .height = size, .samples = 1, .camera = camera_at({0, 0, 2})};
+}
+
+glm::dvec3 on_square(int x, int y) {
+  const glm::dvec3 d = view_direction(head_on().camera, size, size, x, y);
+  return glm::dvec3(0, 0, 2) - d * (2.0 / d.z);
+}
+
+glm::dvec3 rgb(const image::Image& p, int x, int y) {
+  return {p.at(x, y, 0), p.at(x, y, 1), p.at(x, y, 2)};
+}
+
+const glm::dvec3 sun_from = glm::normalize(glm::dvec3(0.5, 0.2, 1.0));
+
+void add_sun(scene::Scene& scene) {
+  scene::Light light;
+  light.kind = scene::LightKind::directional;
+  light.direction = -glm::vec3(sun_from);
+  scene.lights = {light};
+}
+
+// The largest relative difference from `expected(wo)` over all pixels of the square.
+double worst(const image::Image& picture,
+             const std::function<glm::dvec3(const glm::dvec3&)>& expected) {
+  double most = 0.0;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const glm::dvec3 at = on_square(x, y);
+      const glm::dvec3 value = expected(glm::normalize(glm::dvec3(0, 0, 2) - at));
+      const glm::dvec3 off = glm::abs(rgb(picture, x, y) - value) / (value + 0.01);
+      most = std::max({most, off.x, off.y, off.z});
+    }
+  return most;
+}
+
+const glm::dvec3 up(0, 0, 1);
+
+double ggx_lobe(const glm::dvec3& wo, double alpha) {
+  const f64::Facet f = f64::reflectionFacet(sun_from, wo, up, 1.5);
+  return f64::ggxD(f.h, alpha) * f64::ggxV(f.wi, f.wo, alpha) * f.wi.z;
+}
+
+scene::Material coated_metal(float roughness, float coat_roughness, float strength = 1.0f) {
+  scene::Material m = metal(roughness);
+  m.clearcoat = strength;
+  m.clearcoat_roughness = coat_roughness;
+  return m;
+}
+
+} // namespace
+
+TEST_P(Render, a_coat_takes_from_what_is_under_it_what_it_reflects_itself) {
+  for (const float strength : {0.5f, 1.0f}) {
+    scene::Scene scene = square(coated_metal(0.7f, 0.5f, strength));
+    add_sun(scene);
+    const double base = 0.7f * 0.7f, coat = 0.25;
+    EXPECT_LT(worst(draw(scene, {std::nullopt, head_on()}),
+                    [&](const glm::dvec3& wo) {
+                      const double share =
+                          static_cast<double>(strength) * f64::fresnelDielectricAt(wo.z, 1.5);
+                      return glm::dvec3((1.0 - share) * ggx_lobe(wo, base)
+                                        + share * ggx_lobe(wo, coat));
+                    }),
+              rounding)
+        << strength;
+  }
+}
+
+TEST_P(Render, a_coat_dims_the_light_that_its_base_emits) {
+  scene::Material m = coated_metal(0.5f, 0.0f);
+  m.base_color = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  m.emissive = glm::vec3(2.0f, 1.0f, 0.5f);
+  EXPECT_LT(worst(draw(square(m), {std::nullopt, head_on()}),
+                  [](const glm::dvec3& wo) {
+                    return (1.0 - f64::fresnelDielectricAt(wo.z, 1.5)) * glm::dvec3(2.0, 1.0, 0.5);
+                  }),
+            rounding);
+}
+
+// All that the base is not shown of, a smooth coat shows; a rough one loses what single scattering does, of its share alone.
+TEST_P(Render, a_coated_ball_in_the_white_furnace_loses_nothing_but_by_its_facets) {
+  constexpr double tabulated = 0.006; // albedos of the tables
+  frame::FrameDesc desc = head_on();
+  desc.camera = camera_at({0, 0, 3.2f});
+  const auto furnace = [&](const scene::Material& m) {
+    return draw(ball(m), {environment::constant(glm::vec3(1.0f)), desc});
+  };
+  const image::Image smooth = furnace(coated_metal(0.0f, 0.0f));
+  for (const float v : smooth.values)
+    EXPECT_NEAR(v, 1.0f, 1e-3f);
+  const image::Image bare = furnace(metal(0.0f)), rough = furnace(coated_metal(0.0f, 0.6f)),
+                     all_rough = furnace(metal(0.6f));
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const auto n =
+          hit_ball(glm::dvec3(desc.camera.world[3]), view_direction(desc.camera, size, size, x, y));
+      if (!n) continue;
+      const glm::dvec3 d = view_direction(desc.camera, size, size, x, y);
+      const double c = -glm::dot(*n, d);
+      if (c < 0.1) continue; // the outline runs through the pixel
+      const double share = f64::fresnelDielectricAt(c, 1.5);
+      EXPECT_NEAR(rough.at(x, y), (1.0 - share) * bare.at(x, y) + share * all_rough.at(x, y),
+                  tabulated);
+    }
+}
+
+TEST_P(Render, brushed_metal_has_the_lobe_of_two_widths_along_its_tangent) {
+  for (const float rotation : {0.0f, 0.7f})
+    for (const bool correlated : {false, true}) {
+      scene::Material m = metal(0.5f);
+      m.anisotropy_strength = 0.6f;
+      m.anisotropy_rotation = rotation;
+      scene::Scene scene = square(m);
+      add_sun(scene);
+      frame::FrameDesc desc = head_on();
+      desc.correlated_smith = correlated;
+      // The square's tangent is x, its bitangent y.
+      const double r = static_cast<double>(rotation);
+      const glm::dvec3 along(std::cos(r), std::sin(r), 0.0), across(-std::sin(r), std::cos(r), 0.0);
+      const glm::dvec2 alpha(0.25 + 0.75 * 0.36, 0.25);
+      const auto local = [&](const glm::dvec3& v) {
+        return glm::dvec3(glm::dot(v, along), glm::dot(v, across), v.z);
+      };
+      EXPECT_LT(worst(draw(scene, {std::nullopt, desc}),
+                      [&](const glm::dvec3& wo) {
+                        const glm::dvec3 i = local(sun_from), o = local(wo);
+                        const double v = correlated ? f64::ggxAnisoVCorrelated(i, o, alpha)
+                                                    : f64::ggxAnisoV(i, o, alpha);
+                        return glm::dvec3(f64::ggxAnisoD(i + o, alpha) * v * i.z);
+                      }),
+                rounding)
+          << rotation << (correlated ? ", correlated" : "");
+    }
+}
+
+TEST_P(Render, brushing_spreads_the_environment_along_it_and_not_across) {
+  // A bright band at the horizon's height: metal brushed along y smears it, brushed along x keeps it.
+  const auto band = environment_of(
+      256, [](const glm::dvec3& d) { return glm::dvec3(std::abs(d.y) < 0.1 ? 10.0 : 0.0); });
+  const auto middle = [&](float rotation) {
+    scene::Material m = metal(0.2f);
+    m.anisotropy_strength = 0.8f;
+    m.anisotropy_rotation = rotation;
+    const image::Image picture = draw(square(m), {band, head_on()});
+    return picture.at(size / 2, size / 2);
+  };
+  EXPECT_GT(middle(0.0f), 3.0f * middle(0.5f * std::numbers::pi_v<float>));
+}
+
+TEST_P(Render, a_film_on_a_mirror_has_its_colours) {
+  scene::Material m = metal(0.0f, glm::vec3(0.9f, 0.6f, 0.4f));
+  m.iridescence = 0.75f;
+  m.iridescence_ior = 1.4f;
+  m.iridescence_thickness = glm::vec2(0.0f, 350.0f);
+  const glm::dvec3 f0(m.base_color);
+  const glm::dvec3 base(f64::filmBaseIor(f0.x), f64::filmBaseIor(f0.y), f64::filmBaseIor(f0.z));
+  EXPECT_LT(worst(draw(square(m), {environment::constant(glm::vec3(1.0f)), head_on()}),
+                  [&](const glm::dvec3& wo) {
+                    const glm::dvec3 bare = f64::fresnelSchlickRgb(wo.z, f0);
+                    return glm::mix(
+                        bare,
+                        f64::filmFresnel(wo.z, static_cast<double>(m.iridescence_ior), 350.0, base),
+                        0.75);
+                  }),
+            4.0 * rounding); // environments are half floats
+}
+
+} // namespace gg::test
