@@ -1,6 +1,7 @@
 // GGX with two widths: the isotropic one where they are equal, and a distribution where they are
 // not.
 #include "bsdf/quadrature.h"
+#include "glsl/f32.h"
 
 #include <gtest/gtest.h>
 
@@ -61,4 +62,50 @@ TEST(anisotropic, of_no_width_is_zero) {
 }
 
 } // namespace
+
+// Widths of 1 to a thousand, seen and lit along, across and at the horizon.
+TEST(anisotropic, float32_keeps_its_digits_where_widths_differ_most) {
+  constexpr double rounding = 2e-6; // a dozen operations
+  double worst = 0.0;
+  for (const float narrow : {1e-3f, 1e-2f, 0.3f})
+    for (const float wide : {0.3f, 1.0f})
+      for (const glsl::f32::vec3& w :
+           {glsl::f32::vec3(0, 0, 1), glsl::f32::vec3(1e-4f, 1e-3f, 1),
+            glsl::f32::vec3(0.8f, 1e-3f, 0.6f), glsl::f32::vec3(1e-3f, 0.8f, 0.6f),
+            glsl::f32::vec3(1, 1e-3f, 1e-3f), glsl::f32::vec3(1e-3f, 1, 1e-5f)}) {
+        const vec3 exact(w.x, w.y, w.z);
+        const vec2 alpha(wide, narrow);
+        const glsl::f32::vec2 single(wide, narrow);
+        const auto off = [&](float ours, double theirs) {
+          if (theirs > 1e-30)
+            worst = std::max(worst, std::abs(static_cast<double>(ours) / theirs - 1.0));
+        };
+        off(glsl::f32::ggxAnisoD(w, single), f64::ggxAnisoD(exact, alpha));
+        off(glsl::f32::ggxAnisoG1(w, single), f64::ggxAnisoG1(exact, alpha));
+        off(glsl::f32::ggxAnisoV(w, w, single), f64::ggxAnisoV(exact, exact, alpha));
+      }
+  EXPECT_LT(worst, rounding);
+}
+
+// The parts of a stretched lobe (environment/stretched_lobe.glsl): finite, above the surface, and together no more than there is.
+TEST(anisotropic, parts_of_a_stretched_lobe_stay_sound_at_every_angle) {
+  for (const float narrow : {1e-3f, 0.05f, 0.5f})
+    for (const float wide : {0.0501f, 0.5001f, 1.0f})
+      for (const float z : {0.0f, 1e-6f, 1e-3f, 0.1f, 0.7f, 1.0f})
+        for (const float azimuth : {0.0f, 0.7f, 1.5707963f}) {
+          if (wide < narrow) continue;
+          const float r = std::sqrt(1.0f - z * z);
+          const glsl::f32::vec3 wo(r * std::cos(azimuth), r * std::sin(azimuth), z);
+          const glsl::f32::vec2 alpha(wide, narrow);
+          for (int k = 0; k < 8; ++k) {
+            const auto part = glsl::f32::stretchedPart(wo, alpha, k, 8, 0.0f, 1.0f);
+            EXPECT_TRUE(std::isfinite(part.weight) && part.weight >= 0.0f && part.n.z > 0.0f
+                        && part.alpha > 0.0f && part.alpha <= 1.0f)
+                << wide << " " << narrow << " " << z << " " << azimuth << " " << k;
+          }
+          const float albedo = glsl::f32::stretchedAlbedo(wo, alpha);
+          EXPECT_TRUE(albedo >= 0.0f && albedo <= 1.0f);
+        }
+}
+
 } // namespace gg::bsdf_test
