@@ -141,9 +141,9 @@ void Surfaces::read_layers(const Hit& hit, const Basis& b, Surface& s) const {
     const double at = map(hit, m.iridescence_thickness_map, Encoding::linear).y;
     const glm::dvec2 thickness(m.iridescence_thickness);
     s.film = ThinFilm{.share = static_cast<double>(m.iridescence)
-                           * map(hit, m.iridescence_map, Encoding::linear).x,
-                  .ior = static_cast<double>(m.iridescence_ior),
-                  .thickness = thickness.x + (thickness.y - thickness.x) * at};
+                               * map(hit, m.iridescence_map, Encoding::linear).x,
+                      .ior = static_cast<double>(m.iridescence_ior),
+                      .thickness = thickness.x + (thickness.y - thickness.x) * at};
     if (!(s.film->thickness > 0.0)) s.film.reset();
   }
   if (m.anisotropy_strength > 0.0f && opaque && m.distribution == scene::Distribution::ggx
