@@ -21,16 +21,17 @@ vec3 brushedRadiance(Surface s, float edge) {
     if (method == 0) return peersRadiance(s);
     mat3 world = brushFrame(s);
     vec3 wo = s.wo * world;
-    // Where a picture takes several samples, each has places of its own between the parts' and is as much sharper: of N samples
-    // frame.part.w is 1 / (12 N). Their sigmas, of half of the variance, are made even by the normal distribution's logistic form
+    // Where a picture takes several samples, each has places of its own between the parts', and is as much sharper: of N samples
+    // frame.part.w is 1 / (12 N). Half of the parts then does. Their sigmas, of half of the variance, are made even by the normal distribution's logistic form
     // [BowlingKhasawneh09].
     bool several = frame.part.z < 1.0;
     float shift = several ? 1.0 / (1.0 + exp(-2.4 * frame.part.x)) - 0.5 : 0.0;
     float sharpness = several ? min(sqrt(12.0 * frame.part.w), 1.0) : 1.0;
+    int parts = several ? brushedLobes / 2 : brushedLobes;
     vec3 sum = vec3(0.0);
     float weights = 0.0;
-    for (int k = 0; k < brushedLobes; ++k) {
-        StretchedPart part = stretchedPart(wo, brushWidths(s), k, brushedLobes, shift, sharpness);
+    for (int k = 0; k < parts; ++k) {
+        StretchedPart part = stretchedPart(wo, brushWidths(s), k, parts, shift, sharpness);
         vec3 n = world * part.n;
         if (!(ofPixel(part.weight) > 0.0)) continue;
         for (int t = 0; t < lobeTaps; ++t) {
