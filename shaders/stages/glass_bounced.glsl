@@ -14,5 +14,5 @@ void writeBounced(bool shown) {
     path.bounced = shown && path.last.run > 0.0 && endWithinGlass() < 0.0;
     WeightedBeam w = seenThrough(reflectedInsideBeam(path), transmissionTint(s));
     outColor = vec4(0.0);
-    if (path.bounced) outColor = vec4(pairRadiance(w, w, false, -1.0), 0.0);
+    if (path.bounced) outColor = vec4(pairRadiance(w, w, false, -1.0, true), 0.0);
 }

@@ -32,8 +32,8 @@ Meeting pairMeeting(WeightedBeam core, float within) {
     return meeting;
 }
 
-// What both bring, or the first alone.
-vec3 pairRadiance(WeightedBeam core, WeightedBeam rest, bool both, float within) {
+// What both bring, or the first alone. lit: punctual lights too; what the outside reflects has them elsewhere (punctual_lights.glsl).
+vec3 pairRadiance(WeightedBeam core, WeightedBeam rest, bool both, float within, bool lit) {
     vec3 sum = vec3(0.0);
     Meeting meeting = pairMeeting(core, within);
     WeightedBeam w = core;
@@ -41,7 +41,7 @@ vec3 pairRadiance(WeightedBeam core, WeightedBeam rest, bool both, float within)
     for (int m = 0; m < members; ++m) {
         if (m == 1) w = rest;
         sum += w.weight * beamRadiance(partOf(w.beam), meeting);
-        if (hasLights) sum += w.weight * lightsAlong(w.beam);
+        if (hasLights && lit) sum += w.weight * lightsAlong(w.beam);
     }
     return sum;
 }
@@ -51,7 +51,7 @@ vec3 mirrorRadiance(MirrorBeams mirror, vec3 transmitted) {
     vec3 reflected = mirror.core.weight + mirror.rest.weight;
     float share = looked(reflected, reflected + transmitted);
     vec3 sum = vec3(0.0);
-    if (share > 0.0) sum += share * pairRadiance(mirror.core, mirror.rest, lobeTaps > 1, -1.0);
+    if (share > 0.0) sum += share * pairRadiance(mirror.core, mirror.rest, lobeTaps > 1, -1.0, false);
     if (share < 1.0) sum += (1.0 - share) * farMirror(mirror);
     return sum;
 }

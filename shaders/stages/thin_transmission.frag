@@ -28,5 +28,5 @@ void main() {
     WeightedBeam rest = wall.through.rest;
     rest.beam.turn = core.beam.turn;
     rest.weight *= transmissionTint(s);
-    outColor = vec4(pairRadiance(core, rest, entryTaps > 1, -1.0) * coverage, coverage);
+    outColor = vec4(pairRadiance(core, rest, entryTaps > 1, -1.0, true) * coverage, coverage);
 }
