@@ -66,6 +66,7 @@ fs::path find_home() {
   std::error_code error;
   for (fs::path up = fs::read_symlink("/proc/self/exe", error).parent_path(); !error;) {
     if (is_home(up)) return up;
+    if (is_home(up / "share" / "groundglass")) return up / "share" / "groundglass"; // installed
     if (up == up.parent_path()) break;
     up = up.parent_path();
   }

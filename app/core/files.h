@@ -69,8 +69,8 @@ private:
 void clean_up_on_interrupt();
 
 // The directory that holds shaders/ and assets/: $GROUNDGLASS_HOME if set, else the nearest one
-// above the executable, else the source tree that the program was built from. Throws Error(input)
-// if none has them.
+// above the executable or its share/groundglass (as installed), else the source tree that the
+// program was built from. Throws Error(input) if none has them.
 const std::filesystem::path& home_directory();
 
 } // namespace gg
