@@ -18,13 +18,14 @@ void add_kit(Command program) {
   const auto options = std::make_shared<Options>();
   Command command =
       program.subcommand("kit", "Write a folder with which rough glass runs in another program");
-  command.option("--target", &options->target, "three (three.js, WebGLRenderer)").required();
+  command.option("--target", &options->target, "three (three.js, WebGLRenderer), webgl2 (one page, no library), opengl or vulkan (one "
+                 "C++ file)").required();
   command.option("-o,--out", &options->out, "The folder; made if it is not there").required();
   command.action([options] {
     const auto target = kit::target_named(options->target);
     if (!target)
       throw Error(ExitCode::usage, "--target " + options->target,
-                  "is nothing that a kit is made for", "Use three.");
+                  "is nothing that a kit is made for", "Use three, webgl2, opengl or vulkan.");
     kit::write(*target, home_directory(), options->out);
     std::printf("%s: see README.md there\n", options->out.c_str());
   });

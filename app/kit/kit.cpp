@@ -2,102 +2,44 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "glsl/f32.h"
+#include "kit/shaders.h"
+#include "kit/tables.h"
 #include "snippet/print.h"
-#include "tables/interface_table.h"
-#include "tables/reflection_table.h"
-
-#include <glm/gtc/packing.hpp>
-#include <nlohmann/json.hpp>
 
 #include <array>
-#include <span>
-#include <vector>
+#include <utility>
 
 namespace gg::kit {
 namespace fs = std::filesystem;
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr std::array<std::pair<const char*, Target>, 4> names{{{"three", Target::three},
+                                                               {"webgl2", Target::webgl2},
+                                                               {"opengl", Target::opengl},
+                                                               {"vulkan", Target::vulkan}}};
 
-void write_file(const fs::path& path, std::string_view text) {
-  OutputFile file(path);
-  file.write(text);
+void copy_file_to(const fs::path& from, const fs::path& to) {
+  OutputFile file(to);
+  file.write(read_text(from));
   file.commit();
 }
 
-void write_halves(const fs::path& path, const std::vector<float>& texels) {
-  std::vector<std::uint16_t> halves(texels.size());
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    halves[i] = glm::packHalf1x16(texels[i]);
-  OutputFile file(path);
-  file.write(std::as_bytes(std::span(halves)));
+void write_three_shaders(const fs::path& home, const fs::path& directory) {
+  const std::string essl = snippet::print(home / "shaders", {"front_back_refraction"},
+                                          {snippet::Target::essl, "gg_", true});
+  OutputFile file(directory / "shaders.js");
+  file.write("// Made by groundglass kit: front_back_refraction and what it needs, GLSL ES "
+             "3.00.\nexport const refraction = /* glsl */`\n"
+             + essl + "`;\n");
   file.commit();
-}
-
-Json described(const std::string& file, std::array<int, 3> size, const std::string& channels,
-               const std::string& axes) {
-  return {{"file", file},
-          {"size", size},
-          {"format", "RGBA half float, little endian, x fastest, then y, then z"},
-          {"channels", channels},
-          {"axes", axes},
-          {"filtering", "linear along all three axes, clamped to the edge"}};
-}
-
-void write_tables(const fs::path& home, const fs::path& directory) {
-  namespace g = gg::glsl::f32;
-  Json textures;
-  const std::string axes = "see interfaceEnergyCoordinate and interfaceLobeCoordinate in the "
-                           "shaders: x cosine of the viewer's direction, y sqrt(alpha), "
-                           "z (n - 1) / (n + 1) for n from 1 to 4, entering before leaving";
-  for (const tables::Distribution distribution :
-       {tables::Distribution::ggx, tables::Distribution::beckmann}) {
-    const tables::Model model{distribution, tables::Smith::separable};
-    const std::string name = distribution == tables::Distribution::ggx ? "ggx" : "beckmann";
-    const std::string energy = "interface-energy-" + name, lobes = "interface-lobes2-" + name,
-                      reflection = "reflection-lobes1-" + name;
-    const fs::path stored = home / "assets" / "tables";
-    write_halves(directory / (energy + ".bin"),
-                 tables::read_interface_energy(stored, model).texels);
-    write_halves(directory / (lobes + ".bin"),
-                 tables::read_interface_lobes(stored, model, 2).texels);
-    textures[energy] = described(
-        energy + ".bin",
-        {g::INTERFACE_ENERGY_COSINES, g::INTERFACE_ENERGY_ALPHAS, 2 * g::INTERFACE_SLICES},
-        "transmitted, reflected, 0, 0", axes);
-    textures[lobes] = described(
-        lobes + ".bin",
-        {g::INTERFACE_LOBE_COSINES, 2 * g::INTERFACE_LOBE_ALPHAS, 2 * g::INTERFACE_SLICES},
-        "(angle - Snell's) / width, sigma / width, weight, 0",
-        axes + "; along y the first lobe's block before the second's");
-    write_halves(directory / (reflection + ".bin"),
-                 tables::read_reflection_lobes(stored, model, 1).texels);
-    textures[reflection] = described(reflection + ".bin",
-                                     {g::LOBE_TABLE_SIZE, g::LOBE_TABLE_SIZE, g::LOBE_TABLE_SLICES},
-                                     "lean, sigma / alpha, weight, 0",
-                                     "see lobeCoordinate in the shaders: x sqrt of the viewer's "
-                                     "cosine, y sqrt(alpha), z share of the edge");
-  }
-  write_file(directory / "tables.json", Json{{"textures", textures}}.dump(2) + "\n");
-}
-
-void write_three(const fs::path& home, const fs::path& directory) {
-  for (const fs::directory_entry& entry : fs::directory_iterator(home / "assets" / "kit" / "three"))
-    write_file(directory / entry.path().filename(), read_text(entry.path()));
-  const std::string essl =
-      snippet::print(home / "shaders", {"convex_refraction", "glass_reflection"},
-                     {snippet::Target::essl, "gg_", true});
-  write_file(directory / "shaders.js",
-             "// Made by groundglass kit: convex_refraction and what it needs, GLSL ES "
-             "3.00.\nexport const convexRefraction = /* glsl */`\n"
-                 + essl + "`;\n");
 }
 
 } // namespace
 
 std::optional<Target> target_named(const std::string& name) {
-  return name == "three" ? std::optional(Target::three) : std::nullopt;
+  for (const auto& [known, target] : names)
+    if (name == known) return target;
+  return {};
 }
 
 void write(Target target, const fs::path& home, const fs::path& directory) {
@@ -105,8 +47,17 @@ void write(Target target, const fs::path& home, const fs::path& directory) {
   fs::create_directories(directory, error);
   if (error)
     throw Error(ExitCode::output, directory.string(), "cannot be made: " + error.message());
+  const fs::path own = home / "assets/kit" / names[static_cast<std::size_t>(target)].first;
+  for (const fs::directory_entry& entry : fs::directory_iterator(own))
+    copy_file_to(entry.path(), directory / entry.path().filename());
   write_tables(home, directory);
-  if (target == Target::three) write_three(home, directory);
+  if (target == Target::three) {
+    write_three_shaders(home, directory);
+    return;
+  }
+  write_shaders(target, home, directory);
+  copy_file_to(home / "assets/scenes/ball-grid.glb", directory / "scene.glb");
+  copy_file_to(home / "assets/environments/royal_esplanade_1k.hdr", directory / "environment.hdr");
 }
 
 } // namespace gg::kit

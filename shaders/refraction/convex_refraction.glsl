@@ -3,7 +3,8 @@
 // Frame    world, metres. n outward on the viewer's side, wo to the viewer; unit.
 // alpha    of the front face and of the back face (ConvexBody), [0, 1].
 // Returns  refractConvex: linear radiance through both faces, first-order path and what is reflected inside, >= 0; without the
-//          front face's own reflection (glass_reflection.glsl) and without tint: multiply by the base colour.
+//          front face's own reflection (glass_reflection.glsl) and without tint: multiply by the base colour. enterGlass,
+//          refractThrough: its two halves, for exits that are found in another way.
 // Source   interface_table.glsl, composition.glsl; the engine's functions are those of engine.glsl.
 // Limits   single scattering; a body that is not convex_body.glsl's lens is taken for one.
 //          10 reads of tables, up to 21 of depth, 2 of the scene's colour, up to 3 of the environment.
@@ -57,25 +58,43 @@ vec3 internallyReflected(GlassFace face, ConvexBody body, InnerTap inner, float 
   return entered * w.back * way * wanderingEscapes(w, way) * engineEnvironment(direction, min(spread, 0.606));
 }
 
-vec3 refractConvex(GlassFace face, ConvexBody body, SceneView view, Widening k) {
-  float entered = engineFaceEnergy(dot(face.wo, face.n), face.alpha, body.ior).transmitted;
-  InnerTap core = engineEnteringTap(0, face, body.ior, entered);
-  InnerTap tail = engineEnteringTap(1, face, body.ior, entered);
-  ConvexExit coreExit = convexExit(face.n, core.direction, body);
-  ConvexExit tailExit = convexExit(face.n, tail.direction, body);
-  ComposedPair first = engineLeavingPair(core, true, coreExit.surface, k);
-  ComposedPair pair = mergePairs(first, engineLeavingPair(tail, false, tailExit.surface, k));
+// What the near face makes of the view: core and tail of its lobe inside.
+struct Entering {
+  InnerTap core;
+  InnerTap tail;
+  float energy;
+};
+
+Entering enterGlass(GlassFace face, float ior) {
+  Entering e;
+  e.energy = engineFaceEnergy(dot(face.wo, face.n), face.alpha, ior).transmitted;
+  e.core = engineEnteringTap(0, face, ior, e.energy);
+  e.tail = engineEnteringTap(1, face, ior, e.energy);
+  return e;
+}
+
+// On through the exits that core and tail meet, to what is seen there.
+vec3 refractThrough(GlassFace face, ConvexBody body, Entering e, ConvexExit coreExit, ConvexExit tailExit, SceneView view,
+                    Widening k) {
+  ComposedPair first = engineLeavingPair(e.core, true, coreExit.surface, k);
+  ComposedPair pair = mergePairs(first, engineLeavingPair(e.tail, false, tailExit.surface, k));
 
   // Over the pixel both faces turn together, as a prism's do: by 2 (1 - 1 / ior) of the normal's turn.
   float bent = 2.0 * (1.0 - 1.0 / body.ior);
   pair.core.sigma = sqrt(pair.core.sigma * pair.core.sigma + bent * bent * face.turn);
-  vec3 origin = face.position + coreExit.path * core.direction;
+  vec3 origin = face.position + coreExit.path * e.core.direction;
   SceneMeeting met = sceneMeeting(origin, pair.core.direction, view);
   vec3 sum = pair.core.weight * lobeRadiance(pair.core, origin, coreExit.path, met, view);
   // The rest leaves beside the core and meets the same thing.
   if (pair.rest.weight > 0.0) sum += pair.rest.weight * lobeRadiance(pair.rest, origin, coreExit.path, met, view);
-  float passed = core.weight > 0.0 ? (first.core.weight + first.rest.weight) / core.weight : 0.0;
-  return sum * exp(-coreExit.path * body.attenuation) + internallyReflected(face, body, core, entered, coreExit, passed);
+  float passed = e.core.weight > 0.0 ? (first.core.weight + first.rest.weight) / e.core.weight : 0.0;
+  return sum * exp(-coreExit.path * body.attenuation) + internallyReflected(face, body, e.core, e.energy, coreExit, passed);
+}
+
+vec3 refractConvex(GlassFace face, ConvexBody body, SceneView view, Widening k) {
+  Entering e = enterGlass(face, body.ior);
+  return refractThrough(face, body, e, convexExit(face.n, e.core.direction, body), convexExit(face.n, e.tail.direction, body),
+                        view, k);
 }
 
 #endif

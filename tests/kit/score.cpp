@@ -1,5 +1,5 @@
-// kit_score SIZE PICTURE.rgba MASK.rgba REFERENCE.exr OUT.png: error of a picture that a browser has read back (float RGBA, the lowest
-// row first) over the pixels whose mask is 1, of all and of each object, as JSON; the picture itself for people.
+// kit_score SIZE PICTURE MASK.rgba REFERENCE.exr OUT.png: error of a picture (.exr, .hdr, or .rgba that a browser has read back: float
+// RGBA, the lowest row first) over the pixels whose mask is 1, of all and of each object, as JSON; the picture itself for people.
 #include "glsl/f32.h"
 #include "image/compare.h"
 #include "image/image.h"
@@ -15,13 +15,14 @@
 
 namespace {
 
-gg::image::Image from_browser(const char* path, int size) {
+gg::image::Image picture_of(const std::string& path, int size) {
+  if (!path.ends_with(".rgba")) return gg::image::read(path);
   gg::image::Image image(size, size, 3);
   std::vector<float> texels(4 * static_cast<std::size_t>(size) * size);
   std::ifstream file(path, std::ios::binary);
   if (!file.read(reinterpret_cast<char*>(texels.data()),
                  static_cast<std::streamsize>(texels.size() * sizeof(float)))) {
-    std::fprintf(stderr, "%s: holds less than %d x %d texels\n", path, size, size);
+    std::fprintf(stderr, "%s: holds less than %d x %d texels\n", path.c_str(), size, size);
     std::exit(1);
   }
   for (int y = 0; y < size; ++y)
@@ -58,14 +59,15 @@ gg::image::Image encoded(gg::image::Image image) {
 int main(int argc, char** argv) {
   if (argc != 6) return 2;
   const int size = std::atoi(argv[1]);
-  const gg::image::Image picture = from_browser(argv[2], size), mask = from_browser(argv[3], size);
+  const gg::image::Image picture = picture_of(argv[2], size), mask = picture_of(argv[3], size);
   const gg::image::Picture reference = gg::image::load_picture(argv[4]);
   Sum all;
   std::map<int, Sum> objects;
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
       if (mask.at(x, y) < 0.999F) continue;
-      const int id = static_cast<int>(reference.id[static_cast<std::size_t>(y) * size + x]);
+      const std::size_t at = static_cast<std::size_t>(y) * size + x;
+      const int id = at < reference.id.size() ? static_cast<int>(reference.id[at]) : 0;
       for (int c = 0; c < 3; ++c) {
         all.add(picture.at(x, y, c), reference.colour.at(x, y, c));
         objects[id].add(picture.at(x, y, c), reference.colour.at(x, y, c));

@@ -1,30 +1,34 @@
 // Rough glass for three.js: GroundglassMaterial in place of MeshPhysicalMaterial, Groundglass.render() in place of renderer.render().
 // README.md beside this file says how, what it costs and how wrong it is.
 import * as THREE from 'three';
-import { convexRefraction } from './shaders.js';
+import { refraction } from './shaders.js';
+
+// Bodies of glass are told apart by where their meshes' origins stand.
+const bodyNumber = /* glsl */`float ggNumber() { return 1.0 + floor(4096.0 * fract(abs(dot(modelMatrix[3].xyz, vec3(12.9898, 78.233, 37.719))))); }`;
+const glassLayer = 31;
 
 let drawing = false; // while a frame is drawn three must not see our materials as its own transmissive ones
 
 const tables = {
-  ggEnergy: { value: null }, ggLobes: { value: null }, ggReflection: { value: null }, ggPyramid: { value: null }, ggDepth: { value: null },
+  ggEnergy: { value: null }, ggLobes: { value: null }, ggReflection: { value: null }, ggPyramid: { value: null }, ggDepth: { value: null }, ggBackFaces: { value: null },
   ggEnvironmentEven: { value: null }, ggEnvironmentOdd: { value: null }, ggTiles: { value: [] }, ggAtlas: { value: new THREE.Vector4() },
   ggClipFromWorld: { value: new THREE.Matrix4() }, ggPicture: { value: new THREE.Vector4() }, ggRange: { value: new THREE.Vector4() },
 };
 
 const fragmentDeclarations = /* glsl */`
 uniform highp sampler3D ggEnergy, ggLobes, ggReflection;
-uniform sampler2D ggPyramid, ggDepth, ggEnvironmentEven, ggEnvironmentOdd;
+uniform sampler2D ggPyramid, ggDepth, ggBackFaces, ggEnvironmentEven, ggEnvironmentOdd;
 uniform vec3 ggTiles[LEVELS]; // texels along an edge, first row, sigma
 uniform vec4 ggAtlas; // width, heights of both, intensity
 uniform vec4 ggPicture; // width, height, pixels per unit of tangent, last level
-uniform vec4 ggRange; // near, far, reach, 0
+uniform vec4 ggRange; // near, far, reach, 1: back faces are drawn
 uniform mat4 ggClipFromWorld;
 uniform float ggTransmission, ggThickness, ggCurvature, ggIor, ggBackAlpha, ggBeckmann;
 uniform vec3 ggAttenuation;
 uniform sampler2D ggThicknessMap, ggTransmissionMap;
 varying vec3 ggPosition;
 varying vec3 ggScale;
-${convexRefraction}
+${refraction}
 vec4 gg_engineInterfaceEnergy(vec3 at) { return textureLod(ggEnergy, at, 0.0); }
 vec4 gg_engineInterfaceLobe(vec3 at) { return textureLod(ggLobes, at, 0.0); }
 vec4 gg_engineReflectionLobe(vec3 at) { return textureLod(ggReflection, at, 0.0); }
@@ -37,6 +41,7 @@ float gg_engineSceneDepth(vec2 at) {
   float z = textureLod(ggDepth, clamp(uv, 0.5 / ggPicture.xy, 1.0 - 0.5 / ggPicture.xy), 0.0).x;
   return z >= 1.0 ? 1e30 : ggRange.x * ggRange.y / (ggRange.y - z * (ggRange.y - ggRange.x));
 }
+vec4 gg_engineBackFace(vec2 at) { return textureLod(ggBackFaces, vec2(at.x, ggPicture.y - at.y) / ggPicture.xy, 0.0); }
 // Octahedral tiles, each with a border of one texel.
 vec3 ggTile(sampler2D atlas, float height, vec3 tile, vec2 p) {
   vec2 texel = vec2(1.0, tile.y + 1.0) + (0.5 + 0.5 * p) * tile.x;
@@ -91,7 +96,7 @@ const fragmentBody = /* glsl */`
     ggView.reach = ggRange.z;
     gg_Widening ggWiden;
     if (ggBeckmann > 0.5) ggWiden = gg_wideningBeckmann(2); else ggWiden = gg_wideningGgx(2);
-    vec3 ggThrough = material.diffuseContribution * gg_refractConvex(ggFace, ggBody, ggView, ggWiden);
+    vec3 ggThrough = material.diffuseContribution * gg_refractFrontBack(ggFace, ggBody, ggRange.w * ggNumber(), ggView, ggWiden);
     float ggAmount = ggTransmission;
     #ifdef GG_TRANSMISSION_MAP
       ggAmount *= texture2D(ggTransmissionMap, vUv).r;
@@ -122,6 +127,30 @@ export class GroundglassMaterial extends THREE.MeshPhysicalMaterial {
     this.glass.ggAttenuation = { value: new THREE.Vector3() };
     this.glass.ggThicknessMap = { value: null };
     this.glass.ggTransmissionMap = { value: null };
+    // Its back faces: octahedral outward normal, metres along the camera's axis, the body's number plus half of alpha.
+    this.backFaces = new THREE.ShaderMaterial({
+      side: THREE.BackSide, toneMapped: false, blending: THREE.NoBlending, uniforms: { alpha: { value: 0 } },
+      vertexShader: `out vec3 outward; out float metres;
+        void main() {
+          vec4 world = vec4(position, 1.0);
+          vec3 turned = normal;
+          #ifdef USE_INSTANCING
+            world = instanceMatrix * world;
+            turned = mat3(instanceMatrix) * (normal / vec3(dot(instanceMatrix[0], instanceMatrix[0]), dot(instanceMatrix[1], instanceMatrix[1]), dot(instanceMatrix[2], instanceMatrix[2])));
+          #endif
+          outward = mat3(modelMatrix) * (turned / vec3(dot(modelMatrix[0], modelMatrix[0]), dot(modelMatrix[1], modelMatrix[1]), dot(modelMatrix[2], modelMatrix[2])));
+          world = viewMatrix * modelMatrix * world;
+          metres = -world.z;
+          gl_Position = projectionMatrix * world;
+        }`,
+      fragmentShader: `precision highp float; in vec3 outward; in float metres; out vec4 pixel; uniform mat4 modelMatrix; uniform float alpha; ${bodyNumber}
+        void main() {
+          vec3 n = outward / (abs(outward.x) + abs(outward.y) + abs(outward.z));
+          vec2 p = n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
+          pixel = vec4(p, metres, ggNumber() + 0.5 * alpha);
+        }`,
+      glslVersion: THREE.GLSL3,
+    });
     this.setValues(parameters);
   }
 
@@ -157,7 +186,7 @@ export class GroundglassMaterial extends THREE.MeshPhysicalMaterial {
         ggPosition = (modelMatrix * ggWorld).xyz;
         ggScale = vec3(length(modelMatrix[0].xyz), length(modelMatrix[1].xyz), length(modelMatrix[2].xyz));`);
     shader.fragmentShader = shader.fragmentShader
-      .replace('#include <common>', '#include <common>\nuniform mat4 modelMatrix;\n'
+      .replace('#include <common>', '#include <common>\nuniform mat4 modelMatrix;\n' + bodyNumber
         + fragmentDeclarations.replaceAll('LEVELS', String(environmentLevels.length)))
       .replace('#include <transmission_fragment>', fragmentBody);
   }
@@ -169,6 +198,7 @@ export class GroundglassMaterial extends THREE.MeshPhysicalMaterial {
     glass.ggCurvature.value = this.curvature ?? -1;
     glass.ggIor.value = this.ior;
     glass.ggBackAlpha.value = this.backRoughness === null ? -1 : this.backRoughness ** 2;
+    this.backFaces.uniforms.alpha.value = (this.backRoughness ?? this.roughness) ** 2;
     for (const [map, define] of [['thicknessMap', 'GG_THICKNESS_MAP'], ['transmissionMap', 'GG_TRANSMISSION_MAP']]) {
       glass[map === 'thicknessMap' ? 'ggThicknessMap' : 'ggTransmissionMap'].value = this[map];
       if (!this[map] !== (define in this.defines)) continue;
@@ -234,6 +264,7 @@ export class Groundglass {
           + textureLod(source, uv01 + vec2(d.x, -d.y), 0.0) + textureLod(source, uv01 + vec2(-d.x, d.y), 0.0));
       }`, { source: { value: null }, texel: { value: new THREE.Vector2() } });
     this.beckmann = 0;
+    this.backFaces = true;
     this.environment = null;
   }
 
@@ -321,7 +352,7 @@ export class Groundglass {
 
   resize(width, height) {
     if (this.scene?.width === width && this.scene.height === height) return;
-    for (const one of [this.scene, this.pyramid, ...(this.steps ?? [])]) one?.dispose();
+    for (const one of [this.scene, this.pyramid, this.backs, ...(this.steps ?? [])]) one?.dispose();
     const half = { type: THREE.HalfFloatType, depthBuffer: false, generateMipmaps: false };
     const depthTexture = new THREE.DepthTexture(width, height, THREE.FloatType);
     this.scene = new THREE.WebGLRenderTarget(width, height, { type: THREE.HalfFloatType, depthTexture });
@@ -332,7 +363,9 @@ export class Groundglass {
     this.pyramid = new THREE.WebGLRenderTarget(width, height, { ...half, minFilter: THREE.LinearMipmapLinearFilter });
     this.pyramid.texture.mipmaps = Array.from({ length: levels }, () => ({}));
     this.renderer.initRenderTarget(this.pyramid);
+    this.backs = new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, generateMipmaps: false });
     tables.ggPyramid.value = this.pyramid.texture;
+    tables.ggBackFaces.value = this.backs.texture;
     tables.ggDepth.value = depthTexture;
   }
 
@@ -357,12 +390,36 @@ export class Groundglass {
         renderer.toneMapping = tone;
         for (const one of glass) one.visible = true;
         this.keepingState(() => this.blur());
+        if (this.backFaces) this.drawBackFaces(scene, camera, glass);
       }
       renderer.setRenderTarget(target);
       renderer.render(scene, camera);
     } finally {
       drawing = false;
     }
+  }
+
+  // The second tier: where rays leave the glass.
+  drawBackFaces(scene, camera, glass) {
+    const { renderer } = this, { background } = scene, layers = camera.layers.mask, color = renderer.getClearColor(new THREE.Color()), alpha = renderer.getClearAlpha();
+    const materials = glass.map(({ material }) => material);
+    for (const one of glass) {
+      one.layers.enable(glassLayer);
+      one.material = one.material.backFaces;
+    }
+    camera.layers.set(glassLayer);
+    scene.background = null;
+    renderer.setClearColor(0, 0);
+    renderer.setRenderTarget(this.backs);
+    renderer.clear();
+    renderer.render(scene, camera);
+    renderer.setClearColor(color, alpha);
+    scene.background = background;
+    camera.layers.mask = layers;
+    glass.forEach((one, k) => {
+      one.layers.disable(glassLayer);
+      one.material = materials[k];
+    });
   }
 
   blur() {
@@ -386,7 +443,7 @@ export class Groundglass {
     box.getBoundingSphere(bounds);
     tables.ggClipFromWorld.value.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     tables.ggPicture.value.set(size.x, size.y, 0.5 * size.y * camera.projectionMatrix.elements[5], this.steps.length);
-    tables.ggRange.value.set(camera.near, camera.far, Math.max(2.04 * bounds.radius, camera.near), 0);
+    tables.ggRange.value.set(camera.near, camera.far, Math.max(2.04 * bounds.radius, camera.near), this.backFaces ? 1 : 0);
     for (const { material } of glass) {
       material.update();
       material.glass.ggBeckmann.value = this.beckmann;

@@ -1,0 +1,120 @@
+// back_face_exit.glsl: where a ray inside glass leaves it, seen only through the nearest back faces: a pass of their depth and normals.
+// Frame    world, metres; pixels as engine.glsl; n out of the body; direction unit, inside.
+// alpha    of the back face met, [0, 1].
+// Returns  backFaceExit: surface and path as convexExit; found false: the faces show none that the ray meets, and the rest is 0.
+//          engineBackFace, an engine's to supply: of the nearest back face of glass at a place, nearest texel: xy octEncode of its
+//          outward normal, z metres along the camera's axis, w the body's number, from 1, plus half of alpha; 0 where there is none.
+// Source   [Wyman05]; Newton's steps on the planes that texels show, as exit_search.glsl's.
+// Limits   one back face: of a body that is not convex the ray leaves by the nearest. Perspective cameras only. At most 8 reads.
+#ifndef GG_REFRACTION_BACK_FACE_EXIT_GLSL
+#define GG_REFRACTION_BACK_FACE_EXIT_GLSL
+
+#include "refraction/convex_body.glsl"
+#include "refraction/exit_search.glsl"
+#include "refraction/scene_meeting.glsl"
+
+vec4 engineBackFace(vec2 at);
+
+const int BACK_FACE_STEPS = 6;
+
+struct BackFace {
+  vec3 point;
+  vec3 n;
+  float alpha;
+  bool exists; // it is of the body asked for
+};
+
+struct BackFaceExit {
+  ConvexExit exit;
+  bool found;
+};
+
+// What moves a place by one pixel to the right (axis 0) or down (axis 1), metres per metre along the camera's axis.
+vec3 pixelStep(SceneView view, int axis) {
+  vec3 forward = vec3(view.clipFromWorld[0][3], view.clipFromWorld[1][3], view.clipFromWorld[2][3]);
+  vec3 row = axis == 0 ? vec3(view.clipFromWorld[0][0], view.clipFromWorld[1][0], view.clipFromWorld[2][0])
+                       : vec3(view.clipFromWorld[0][1], view.clipFromWorld[1][1], view.clipFromWorld[2][1]);
+  vec3 across = row - dot(row, forward) * forward; // a picture's middle off the axis is no part of its scale
+  return (axis == 0 ? 2.0 / view.size.x : -2.0 / view.size.y) / dot(across, across) * across;
+}
+
+// The surface that the texel at `at` shows at its middle. p: any point that is seen at `at`, w its metres along the axis.
+BackFace backFaceAt(vec2 at, vec3 p, float w, float number, SceneView view) {
+  vec4 texel = engineBackFace(at);
+  vec2 off = floor(at) + 0.5 - at;
+  BackFace face;
+  face.point = view.eye + (p - view.eye) * (texel.z / w) +
+               texel.z * (off.x * pixelStep(view, 0) + off.y * pixelStep(view, 1));
+  face.n = octDecode(vec2(texel.x, texel.y));
+  face.alpha = 2.0 * fract(texel.w);
+  face.exists = floor(texel.w) == number;
+  return face;
+}
+
+// A neighbour of a texel, if both belong to one smooth surface; else the texel itself, which says that nothing turns.
+BackFace backFaceBeside(BackFace own, vec2 at, vec3 p, float w, float number, SceneView view) {
+  BackFace beside = backFaceAt(at, p, w, number, view);
+  if (beside.exists && exitSame(own.point, own.n, beside.point, beside.n)) return beside;
+  return own;
+}
+
+// The normal between texels, and how the surface curves there.
+BackFaceExit backFaceBetween(BackFace face, vec2 at, vec3 p, float w, float number, vec3 origin, vec3 direction, SceneView view) {
+  vec3 stepX = pixelStep(view, 0);
+  vec3 stepY = pixelStep(view, 1);
+  BackFace right = backFaceBeside(face, at + vec2(1.0, 0.0), p + w * stepX, w, number, view);
+  BackFace below = backFaceBeside(face, at + vec2(0.0, 1.0), p + w * stepY, w, number, view);
+  vec2 off = at - floor(at) - 0.5;
+  BackFaceExit found;
+  found.exit.surface.n = normalize(face.n + off.x * (right.n - face.n) + off.y * (below.n - face.n));
+  found.exit.surface.alpha = face.alpha;
+  found.exit.path = exitPlane(origin, direction, face.point, face.n);
+  float cosTheta = dot(direction, found.exit.surface.n);
+  vec2 curvature = exitCurvature(face.n, direction, right.point - face.point, right.n - face.n, below.point - face.point, below.n - face.n);
+  found.exit.surface.turn = exitTurn(cosTheta, found.exit.path, curvature);
+  found.found = cosTheta > 0.0;
+  return found;
+}
+
+// From the back face behind the pixel on to the plane that is seen where the ray meets it, until the next is the same.
+BackFaceExit backFaceExit(vec3 origin, vec3 direction, float eta, float number, SceneView view) {
+  BackFaceExit none;
+  none.exit.surface.n = direction;
+  none.exit.surface.alpha = 0.0;
+  none.exit.surface.turn = vec2(0.0);
+  none.exit.path = 0.0;
+  none.exit.surface.eta = eta;
+  none.found = false;
+  float inside = 0.0; // the farthest place where the body was seen behind the ray
+  float t = 0.0;
+  for (int k = 0; k < BACK_FACE_STEPS; ++k) {
+    vec3 p = origin + t * direction;
+    vec4 clip = view.clipFromWorld * vec4(p, 1.0);
+    if (!(clip.w > 0.0)) return none;
+    vec2 at = scenePixel(clip, view.size);
+    BackFace face = backFaceAt(at, p, clip.w, number, view);
+    float met = exitPlane(origin, direction, face.point, face.n);
+    bool meets = face.exists && dot(direction, face.n) > 0.0 && met > 0.0;
+    if (k == 0 && !meets && face.exists) { // behind the pixel the ray runs along a face that it does not meet: as deep as the body is there
+      t = length(face.point - p);
+      continue;
+    }
+    if (k == 0 && !meets) return none;
+    if (!meets) { // past the outline
+      t = 0.5 * (inside + t);
+      continue;
+    }
+    vec4 there = view.clipFromWorld * vec4(origin + met * direction, 1.0);
+    vec2 moved = scenePixel(there, view.size) - at;
+    if (there.w > 0.0 && dot(moved, moved) < 0.5) {
+      BackFaceExit found = backFaceBetween(face, at, p, clip.w, number, origin, direction, view);
+      found.exit.surface.eta = eta;
+      return found;
+    }
+    inside = t;
+    t = met;
+  }
+  return none;
+}
+
+#endif
