@@ -24,6 +24,17 @@ void copy_file_to(const fs::path& from, const fs::path& to) {
   file.commit();
 }
 
+// What the kits without three.js share of their instructions.
+void write_instructions(const fs::path& home, const fs::path& own, const fs::path& directory) {
+  std::string text = read_text(own / "README.md");
+  const std::string place = "@PASSES@\n";
+  if (const std::size_t at = text.find(place); at != std::string::npos)
+    text.replace(at, place.size(), read_text(home / "assets/kit/shaders/PASSES.md"));
+  OutputFile file(directory / "README.md");
+  file.write(text);
+  file.commit();
+}
+
 void write_three_shaders(const fs::path& home, const fs::path& directory) {
   const std::string essl = snippet::print(home / "shaders", {"front_back_refraction"},
                                           {snippet::Target::essl, "gg_", true});
@@ -49,8 +60,12 @@ void write(Target target, const fs::path& home, const fs::path& directory) {
     throw Error(ExitCode::output, directory.string(), "cannot be made: " + error.message());
   const fs::path own = home / "assets/kit" / names[static_cast<std::size_t>(target)].first;
   for (const fs::directory_entry& entry : fs::directory_iterator(own))
-    copy_file_to(entry.path(), directory / entry.path().filename());
+    if (entry.path().filename() != "README.md")
+      copy_file_to(entry.path(), directory / entry.path().filename());
+  write_instructions(home, own, directory);
   write_tables(home, directory);
+  if (target == Target::opengl || target == Target::vulkan)
+    copy_file_to(home / "assets/kit/cpp/scene.h", directory / "scene.h");
   if (target == Target::three) {
     write_three_shaders(home, directory);
     return;

@@ -1,6 +1,5 @@
 #include "kit/shaders.h"
 
-#include "core/error.h"
 #include "core/files.h"
 #include "snippet/print.h"
 
@@ -63,7 +62,8 @@ std::string expanded(const fs::path& home, const fs::path& file, Target target) 
 void write_shaders(Target target, const fs::path& home, const fs::path& directory) {
   fs::create_directories(directory / "shaders");
   for (const fs::directory_entry& entry : fs::directory_iterator(home / "assets/kit/shaders")) {
-    if (entry.path().extension() == ".glsl") continue;
+    const fs::path kind = entry.path().extension();
+    if (kind != ".vert" && kind != ".frag") continue;
     OutputFile file(directory / "shaders" / entry.path().filename());
     file.write(first_lines(target) + expanded(home, entry.path(), target));
     file.commit();

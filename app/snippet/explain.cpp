@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <sstream>
 
 namespace gg::snippet {
 namespace fs = std::filesystem;
@@ -45,19 +47,35 @@ std::string cost_of(const std::string& flat, const Item& item) {
                      c.arithmetic, c.roots, c.trigonometric, c.reads, c.branches);
 }
 
+// What shaders/compiled.txt, which tests/snippet/matrix.py writes, says of each snippet; its first line names the compilers.
+std::map<std::string, std::string> compiled(const fs::path& shaders) {
+  std::map<std::string, std::string> results;
+  std::istringstream lines(read_text(shaders / "compiled.txt"));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t name = std::min(line.find(' '), line.size());
+    const std::size_t result = std::min(line.find_first_not_of(' ', name), line.size());
+    results[line.substr(0, name)] = line.substr(result);
+  }
+  return results;
+}
+
 } // namespace
 
 std::string list(const fs::path& shaders) {
   const std::vector<Snippet> all = catalog(shaders);
-  std::string out = "Targets: glsl vulkan essl hlsl msl of all; wgsl cpp of those that read no "
-                    "textures (no *).\n";
+  std::map<std::string, std::string> results = compiled(shaders);
+  std::string out = fmt::format("Compiled by: {}\nok: compiles; made: printed, nothing here compiles "
+                                "it; -: takes combined samplers, which the target has not;\n?: not "
+                                "compiled since it was written. {}\n",
+                                results["compilers:"], "tests/snippet/matrix.py compiles all again.");
   std::string folder;
   for (const Snippet& one : all) {
     if (one.file.parent_path() != folder) {
       folder = one.file.parent_path();
-      out += '\n' + folder + "/\n";
+      out += fmt::format("\n{:<26}{}\n", folder + '/', results["snippet"]);
     }
-    out += fmt::format("  {:<24}{} {}\n", one.name, one.fetches ? '*' : ' ', one.summary);
+    const std::string result = results[folder + '/' + one.name];
+    out += fmt::format("  {:<24}{:<54} {}\n", one.name, result.empty() ? "?" : result, one.summary);
   }
   return out;
 }

@@ -58,13 +58,14 @@ BackFace backFaceBeside(BackFace own, vec2 at, vec3 p, float w, float number, Sc
   return own;
 }
 
-// The normal between texels, and how the surface curves there.
-BackFaceExit backFaceBetween(BackFace face, vec2 at, vec3 p, float w, float number, vec3 origin, vec3 direction, SceneView view) {
+// The normal between texels, at the place `hit` within a pixel of `at`, and how the surface curves there.
+BackFaceExit backFaceBetween(BackFace face, vec2 at, vec2 hit, vec3 p, float w, float number, vec3 origin, vec3 direction,
+                             SceneView view) {
   vec3 stepX = pixelStep(view, 0);
   vec3 stepY = pixelStep(view, 1);
   BackFace right = backFaceBeside(face, at + vec2(1.0, 0.0), p + w * stepX, w, number, view);
   BackFace below = backFaceBeside(face, at + vec2(0.0, 1.0), p + w * stepY, w, number, view);
-  vec2 off = at - floor(at) - 0.5;
+  vec2 off = hit - floor(at) - 0.5;
   BackFaceExit found;
   found.exit.surface.n = normalize(face.n + off.x * (right.n - face.n) + off.y * (below.n - face.n));
   found.exit.surface.alpha = face.alpha;
@@ -77,7 +78,8 @@ BackFaceExit backFaceBetween(BackFace face, vec2 at, vec3 p, float w, float numb
 }
 
 // From the back face behind the pixel on to the plane that is seen where the ray meets it, until the next is the same.
-BackFaceExit backFaceExit(vec3 origin, vec3 direction, float eta, float number, SceneView view) {
+// first: how far along the ray to begin, metres: 0 on the front face.
+BackFaceExit backFaceExit(vec3 origin, vec3 direction, float first, float eta, float number, SceneView view) {
   BackFaceExit none;
   none.exit.surface.n = direction;
   none.exit.surface.alpha = 0.0;
@@ -86,7 +88,7 @@ BackFaceExit backFaceExit(vec3 origin, vec3 direction, float eta, float number, 
   none.exit.surface.eta = eta;
   none.found = false;
   float inside = 0.0; // the farthest place where the body was seen behind the ray
-  float t = 0.0;
+  float t = first;
   for (int k = 0; k < BACK_FACE_STEPS; ++k) {
     vec3 p = origin + t * direction;
     vec4 clip = view.clipFromWorld * vec4(p, 1.0);
@@ -105,9 +107,10 @@ BackFaceExit backFaceExit(vec3 origin, vec3 direction, float eta, float number, 
       continue;
     }
     vec4 there = view.clipFromWorld * vec4(origin + met * direction, 1.0);
-    vec2 moved = scenePixel(there, view.size) - at;
+    vec2 hit = scenePixel(there, view.size);
+    vec2 moved = hit - at;
     if (there.w > 0.0 && dot(moved, moved) < 0.5) {
-      BackFaceExit found = backFaceBetween(face, at, p, clip.w, number, origin, direction, view);
+      BackFaceExit found = backFaceBetween(face, at, hit, p, clip.w, number, origin, direction, view);
       found.exit.surface.eta = eta;
       return found;
     }

@@ -73,16 +73,15 @@ Entering enterGlass(GlassFace face, float ior) {
   return e;
 }
 
-// On through the exits that core and tail meet, to what is seen there.
-vec3 refractThrough(GlassFace face, ConvexBody body, Entering e, ConvexExit coreExit, ConvexExit tailExit, SceneView view,
-                    Widening k) {
+// On through the exits that core and tail meet, the core's at `origin`, to what is seen there.
+vec3 refractThrough(GlassFace face, ConvexBody body, Entering e, vec3 origin, ConvexExit coreExit, ConvexExit tailExit,
+                    SceneView view, Widening k) {
   ComposedPair first = engineLeavingPair(e.core, true, coreExit.surface, k);
   ComposedPair pair = mergePairs(first, engineLeavingPair(e.tail, false, tailExit.surface, k));
 
   // Over the pixel both faces turn together, as a prism's do: by 2 (1 - 1 / ior) of the normal's turn.
   float bent = 2.0 * (1.0 - 1.0 / body.ior);
   pair.core.sigma = sqrt(pair.core.sigma * pair.core.sigma + bent * bent * face.turn);
-  vec3 origin = face.position + coreExit.path * e.core.direction;
   SceneMeeting met = sceneMeeting(origin, pair.core.direction, view);
   vec3 sum = pair.core.weight * lobeRadiance(pair.core, origin, coreExit.path, met, view);
   // The rest leaves beside the core and meets the same thing.
@@ -93,8 +92,9 @@ vec3 refractThrough(GlassFace face, ConvexBody body, Entering e, ConvexExit core
 
 vec3 refractConvex(GlassFace face, ConvexBody body, SceneView view, Widening k) {
   Entering e = enterGlass(face, body.ior);
-  return refractThrough(face, body, e, convexExit(face.n, e.core.direction, body), convexExit(face.n, e.tail.direction, body),
-                        view, k);
+  ConvexExit core = convexExit(face.n, e.core.direction, body);
+  vec3 origin = face.position + core.path * e.core.direction;
+  return refractThrough(face, body, e, origin, core, convexExit(face.n, e.tail.direction, body), view, k);
 }
 
 #endif

@@ -3,19 +3,53 @@
 // alpha    of the front face, [0, 1]; the back face's is what its pass says.
 // Returns  refractFrontBack: as refractConvex. number: the body's, as engineBackFace (back_face_exit.glsl) tells it.
 // Source   back_face_exit.glsl, convex_refraction.glsl.
-// Limits   those of both; where no back face is found the body is taken for convex_body.glsl's lens.
-//          10 reads of tables, at most 8 of back faces, up to 21 of depth, 2 of the scene's colour, up to 3 of the environment.
+// Limits   those of both; where no back face is found the body is taken for convex_body.glsl's lens. One total reflection is followed.
+//          10 to 12 reads of tables, 6 to 32 of back faces, up to 21 of depth, 2 of the scene's colour, up to 3 of the environment.
 #ifndef GG_REFRACTION_FRONT_BACK_REFRACTION_GLSL
 #define GG_REFRACTION_FRONT_BACK_REFRACTION_GLSL
 
 #include "refraction/back_face_exit.glsl"
 #include "refraction/convex_refraction.glsl"
 
+struct WayOut {
+  InnerTap tap; // as it reaches the exit
+  ConvexExit exit;
+  vec3 point;
+  bool found;
+};
+
+// Past the critical angle all is reflected, and followed once to the next back face: a facet of width alpha turns it by twice its tilt.
+WayOut wayOut(GlassFace face, InnerTap tap, float eta, float number, SceneView view) {
+  BackFaceExit seen = backFaceExit(face.position, tap.direction, 0.0, eta, number, view);
+  WayOut way;
+  way.tap = tap;
+  way.exit = seen.exit;
+  way.point = face.position + seen.exit.path * tap.direction;
+  way.found = seen.found;
+  float cosTheta = dot(tap.direction, seen.exit.surface.n);
+  if (!seen.found || (1.0 - cosTheta) * (1.0 + cosTheta) < eta * eta) return way;
+  vec3 onward = tap.direction - 2.0 * cosTheta * seen.exit.surface.n;
+  BackFaceExit next = backFaceExit(way.point, onward, 0.5 * seen.exit.path, eta, number, view);
+  if (!next.found) return way;
+  float alpha = seen.exit.surface.alpha;
+  way.tap.direction = onward;
+  way.tap.sigma = sqrt(tap.sigma * tap.sigma + 4.0 * alpha * alpha);
+  way.tap.weight = tap.weight * engineFaceEnergy(cosTheta, alpha, eta).reflected;
+  way.exit = next.exit;
+  way.exit.path = seen.exit.path + next.exit.path;
+  way.point += next.exit.path * onward;
+  return way;
+}
+
 vec3 refractFrontBack(GlassFace face, ConvexBody body, float number, SceneView view, Widening k) {
   Entering entered = enterGlass(face, body.ior);
-  BackFaceExit seen = backFaceExit(face.position, entered.core.direction, 1.0 / body.ior, number, view);
-  if (seen.found) return refractThrough(face, body, entered, seen.exit, seen.exit, view, k);
-  return refractThrough(face, body, entered, convexExit(face.n, entered.core.direction, body), convexExit(face.n, entered.tail.direction, body), view, k);
+  WayOut core = wayOut(face, entered.core, 1.0 / body.ior, number, view);
+  if (!core.found) return refractConvex(face, body, view, k);
+  WayOut tail = wayOut(face, entered.tail, 1.0 / body.ior, number, view);
+  entered.core = core.tap;
+  if (tail.found) entered.tail = tail.tap;
+  if (!tail.found) tail.exit = core.exit;
+  return refractThrough(face, body, entered, core.point, core.exit, tail.exit, view, k);
 }
 
 #endif

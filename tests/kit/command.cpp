@@ -21,8 +21,24 @@ TEST(kit, writes_shaders_tables_and_an_example_for_three) {
        {"groundglass.js", "shaders.js", "index.html", "package.json", "README.md", "tables.json"})
     EXPECT_TRUE(fs::is_regular_file(folder / file)) << file;
   const std::string shaders = read_text(folder / "shaders.js");
-  EXPECT_NE(shaders.find("vec3 gg_refractConvex("), std::string::npos);
+  EXPECT_NE(shaders.find("vec3 gg_refractFrontBack("), std::string::npos);
   EXPECT_EQ(shaders.find("${"), std::string::npos);
+}
+
+TEST(kit, writes_whole_shaders_and_a_scene_without_three) {
+  for (const std::string target : {"webgl2", "opengl", "vulkan"}) {
+    const fs::path folder = scratch_directory() / target;
+    const Finished done = run_program({"kit", "--target", target, "-o", folder.string()});
+    ASSERT_EQ(done.code, 0) << done.err;
+    for (const char* file : {"scene.glb", "environment.hdr", "tables.json",
+                             target == "webgl2" ? "index.html" : "main.cpp"})
+      EXPECT_TRUE(fs::is_regular_file(folder / file)) << file;
+    const std::string glass = read_text(folder / "shaders/glass.frag");
+    EXPECT_TRUE(glass.starts_with("#version")) << target;
+    EXPECT_EQ(glass.find("#include"), std::string::npos) << target;
+    EXPECT_EQ(glass.find("#snippets"), std::string::npos) << target;
+    EXPECT_EQ(read_text(folder / "README.md").find('@'), std::string::npos) << target;
+  }
 }
 
 TEST(kit, describes_every_table_by_its_size) {

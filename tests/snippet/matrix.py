@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Every snippet in every target, by a compiler of that target; prints the table.
 
-    tests/snippet/matrix.py GROUNDGLASS [NAME...]
+    tests/snippet/matrix.py GROUNDGLASS [--write] [NAME...]
 
 glsl, vulkan, essl, hlsl: glslang (Debian's glslang-tools; HLSL by its HLSL front end). cpp: g++ with GLM, float and double. wgsl: naga, if
 it is there; without it, only that the text is made of the snippets as they are (shaders/wgsl/make --check). msl: none can be had, Metal's
-compiler is Apple's alone: that SPIRV-Cross makes it is all that is shown.
+compiler is Apple's alone: that SPIRV-Cross makes it is all that is shown. --write keeps the table in shaders/compiled.txt, which `groundglass snippet
+--list` prints; without it, what that file says otherwise of a snippet fails.
 """
 
 import pathlib
@@ -17,6 +18,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parent.parent
+KEPT = ROOT / "shaders/compiled.txt"
 TARGETS = ("glsl", "vulkan", "essl", "hlsl", "msl", "wgsl", "cpp")
 
 
@@ -41,7 +43,14 @@ def compiler(target, folder, naga):
 
 
 def main():
-    program, chosen = sys.argv[1], sys.argv[2:]
+    program, chosen, write = sys.argv[1], [word for word in sys.argv[2:] if word != "--write"], "--write" in sys.argv
+    kept = dict(line.split(None, 1) for line in KEPT.read_text().splitlines()) if KEPT.exists() else {}
+    lines = []
+
+    def say(line):
+        print(line, flush=True)
+        lines.append(line.rstrip())
+
     naga = run(["naga", "--version"])[1].strip() if shutil.which("naga") else ""
     if run([sys.executable, ROOT / "shaders/wgsl/make", program, "--check"])[0]:
         sys.exit("shaders/wgsl/snippets.wgsl is out of date: run shaders/wgsl/make " + program)
@@ -49,8 +58,8 @@ def main():
     failed, counts = [], {target: 0 for target in TARGETS}
     with tempfile.TemporaryDirectory() as folder:
         table = {target: compiler(target, folder, naga) for target in TARGETS}
-        print("compilers: " + ", ".join(f"{target} {table[target][0]}" for target in TARGETS))
-        print(f"{'snippet':<34}" + "".join(f"{target:<8}" for target in TARGETS))
+        say("compilers: " + ", ".join(f"{target} {table[target][0]}" for target in TARGETS))
+        say(f"{'snippet':<34}" + "".join(f"{target:<8}" for target in TARGETS))
         for file in files:
             name = f"{file.parent.name}/{file.stem}"
             if chosen and file.stem not in chosen:
@@ -72,10 +81,14 @@ def main():
                 counts[target] += code == 0
                 if code:
                     failed.append(f"{name} {target}:\n{log}")
-            print(f"{name:<34}{row}")
+            say(f"{name:<34}{row}")
+            if not write and name in kept and kept[name].split() != row.split() and naga:
+                failed.append(f"{name}: shaders/compiled.txt says {kept[name]}: write it again with --write")
     print(f"{'compile':<34}" + "".join(f"{counts[target]:<8}" for target in TARGETS))
     if failed:
         sys.exit("\n".join(failed))
+    if write and not chosen:
+        KEPT.write_text("\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":

@@ -57,6 +57,5 @@ void main() {
   view.reach = ggRange.z;
   vec3 color = ggColor.rgb * texture(ggBaseColor, vUv).rgb;
   vec3 through = color * gg_refractFrontBack(face, body, ggGlass.w, view, gg_wideningGgx(2));
-  vec3 left = color * exp(-body.thickness * body.attenuation);
-  pixel = vec4(through + gg_reflectGlass(face, body.ior, max(left.r, max(left.g, left.b)), view), 1.0);
+  pixel = vec4(through + gg_reflectGlass(face, body.ior, view), 1.0);
 }

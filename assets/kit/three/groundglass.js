@@ -102,10 +102,8 @@ const fragmentBody = /* glsl */`
       ggAmount *= texture2D(ggTransmissionMap, vUv).r;
     #endif
     totalDiffuse = mix(totalDiffuse, ggThrough, ggAmount);
-    vec3 ggLeft = material.diffuseContribution * exp(-ggBody.thickness * ggBody.attenuation);
-    float ggClear = max(ggLeft.r, max(ggLeft.g, ggLeft.b));
     // In place of three's reflection of its own environment, which knows nothing of the scene.
-    totalSpecular += ggAmount * (material.specularF90 * gg_reflectGlass(ggFace, ggIor, ggClear, ggView) - reflectedLight.indirectSpecular);
+    totalSpecular += ggAmount * (material.specularF90 * gg_reflectGlass(ggFace, ggIor, ggView) - reflectedLight.indirectSpecular);
   }
 `;
 
@@ -129,9 +127,10 @@ export class GroundglassMaterial extends THREE.MeshPhysicalMaterial {
     this.glass.ggTransmissionMap = { value: null };
     // Its back faces: octahedral outward normal, metres along the camera's axis, the body's number plus half of alpha.
     this.backFaces = new THREE.ShaderMaterial({
-      side: THREE.BackSide, toneMapped: false, blending: THREE.NoBlending, uniforms: { alpha: { value: 0 } },
-      vertexShader: `out vec3 outward; out float metres;
+      side: THREE.BackSide, toneMapped: false, blending: THREE.NoBlending, uniforms: { roughness: { value: 0 }, map: { value: null }, mapped: { value: false } },
+      vertexShader: `out vec3 outward; out float metres; out vec2 place;
         void main() {
+          place = uv;
           vec4 world = vec4(position, 1.0);
           vec3 turned = normal;
           #ifdef USE_INSTANCING
@@ -143,11 +142,13 @@ export class GroundglassMaterial extends THREE.MeshPhysicalMaterial {
           metres = -world.z;
           gl_Position = projectionMatrix * world;
         }`,
-      fragmentShader: `precision highp float; in vec3 outward; in float metres; out vec4 pixel; uniform mat4 modelMatrix; uniform float alpha; ${bodyNumber}
+      fragmentShader: `precision highp float; in vec3 outward; in float metres; in vec2 place; out vec4 pixel;
+        uniform mat4 modelMatrix; uniform float roughness; uniform sampler2D map; uniform bool mapped; ${bodyNumber}
         void main() {
           vec3 n = outward / (abs(outward.x) + abs(outward.y) + abs(outward.z));
           vec2 p = n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
-          pixel = vec4(p, metres, ggNumber() + 0.5 * alpha);
+          float rough = mapped ? roughness * texture(map, place).g : roughness;
+          pixel = vec4(p, metres, ggNumber() + 0.5 * rough * rough);
         }`,
       glslVersion: THREE.GLSL3,
     });
@@ -198,7 +199,10 @@ export class GroundglassMaterial extends THREE.MeshPhysicalMaterial {
     glass.ggCurvature.value = this.curvature ?? -1;
     glass.ggIor.value = this.ior;
     glass.ggBackAlpha.value = this.backRoughness === null ? -1 : this.backRoughness ** 2;
-    this.backFaces.uniforms.alpha.value = (this.backRoughness ?? this.roughness) ** 2;
+    const back = this.backFaces.uniforms;
+    back.roughness.value = this.backRoughness ?? this.roughness;
+    back.map.value = this.roughnessMap;
+    back.mapped.value = this.backRoughness === null && this.roughnessMap !== null;
     for (const [map, define] of [['thicknessMap', 'GG_THICKNESS_MAP'], ['transmissionMap', 'GG_TRANSMISSION_MAP']]) {
       glass[map === 'thicknessMap' ? 'ggThicknessMap' : 'ggTransmissionMap'].value = this[map];
       if (!this[map] !== (define in this.defines)) continue;
