@@ -18,8 +18,12 @@ void add_kit(Command program) {
   const auto options = std::make_shared<Options>();
   Command command =
       program.subcommand("kit", "Write a folder with which rough glass runs in another program");
-  command.option("--target", &options->target, "three (three.js, WebGLRenderer), webgl2 (one page, no library), opengl or vulkan (one "
-                 "C++ file)").required();
+  command
+      .option(
+          "--target", &options->target,
+          "three (three.js, WebGLRenderer), webgl2 (one page, no library), opengl or vulkan (one "
+          "C++ file)")
+      .required();
   command.option("-o,--out", &options->out, "The folder; made if it is not there").required();
   command.action([options] {
     const auto target = kit::target_named(options->target);

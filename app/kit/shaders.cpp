@@ -14,7 +14,8 @@ namespace {
 constexpr const char* levels = "#define LEVELS 14 // of the environment\n";
 
 std::string first_lines(Target target) {
-  const std::string desktop = std::string(levels) + R"(#define GG_BLOCK(n) layout(std140, binding = n) uniform
+  const std::string desktop =
+      std::string(levels) + R"(#define GG_BLOCK(n) layout(std140, binding = n) uniform
 #define GG_SAMPLER(n) layout(binding = n) uniform
 #define GG_VARYING(n) layout(location = n)
 )";
@@ -24,7 +25,8 @@ std::string first_lines(Target target) {
   case Target::vulkan:
     return "#version 450\n" + desktop + "#define GG_VERTEX gl_VertexIndex\n";
   default: // GLSL ES 3.00 has no bindings, and names what goes from stage to stage
-    return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler3D;\n"
+    return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp "
+           "sampler3D;\n"
            "precision highp sampler2D;\n"
            + std::string(levels)
            + "#define GG_BLOCK(n) layout(std140) uniform\n#define GG_SAMPLER(n) uniform\n"

@@ -64,10 +64,11 @@ std::map<std::string, std::string> compiled(const fs::path& shaders) {
 std::string list(const fs::path& shaders) {
   const std::vector<Snippet> all = catalog(shaders);
   std::map<std::string, std::string> results = compiled(shaders);
-  std::string out = fmt::format("Compiled by: {}\nok: compiles; made: printed, nothing here compiles "
-                                "it; -: takes combined samplers, which the target has not;\n?: not "
-                                "compiled since it was written. {}\n",
-                                results["compilers:"], "tests/snippet/matrix.py compiles all again.");
+  std::string out =
+      fmt::format("Compiled by: {}\nok: compiles; made: printed, nothing here compiles "
+                  "it; -: takes combined samplers, which the target has not;\n?: not "
+                  "compiled since it was written. {}\n",
+                  results["compilers:"], "tests/snippet/matrix.py compiles all again.");
   std::string folder;
   for (const Snippet& one : all) {
     if (one.file.parent_path() != folder) {
