@@ -12,17 +12,29 @@
 namespace {
 
 void open_device() { // no window: EGL without a surface
-  const auto display_of = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-  const EGLDisplay display = display_of ? display_of(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr) : eglGetDisplay(EGL_DEFAULT_DISPLAY);
-  if (!eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API)) fail("EGL cannot be started");
-  const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const auto display_of = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+      eglGetProcAddress("eglGetPlatformDisplayEXT"));
+  const EGLDisplay display =
+      display_of ? display_of(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)
+                 : eglGetDisplay(EGL_DEFAULT_DISPLAY);
+  if (!eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API))
+    fail("EGL cannot be started");
+  const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
+                           4,
+                           EGL_CONTEXT_MINOR_VERSION,
+                           5,
+                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                           EGL_NONE};
   const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
-  if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) fail("no OpenGL 4.5 without a surface");
+  if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
+    fail("no OpenGL 4.5 without a surface");
 }
 
 GLuint program_of(const std::string& vertex, const std::string& fragment) {
   const GLuint program = glCreateProgram();
-  for (const auto& [kind, file] : {std::pair{GL_VERTEX_SHADER, vertex}, std::pair{GL_FRAGMENT_SHADER, fragment}}) {
+  for (const auto& [kind, file] :
+       {std::pair{GL_VERTEX_SHADER, vertex}, std::pair{GL_FRAGMENT_SHADER, fragment}}) {
     const GLuint shader = glCreateShader(kind);
     const std::string text = bytes_of("shaders/" + file);
     const char* begin = text.c_str();
@@ -39,12 +51,14 @@ GLuint program_of(const std::string& vertex, const std::string& fragment) {
   return program;
 }
 
-GLuint texture_of(GLenum format, int width, int height, int levels, GLenum filter, GLenum wrap = GL_CLAMP_TO_EDGE) {
+GLuint texture_of(GLenum format, int width, int height, int levels, GLenum filter,
+                  GLenum wrap = GL_CLAMP_TO_EDGE) {
   GLuint texture;
   glCreateTextures(GL_TEXTURE_2D, 1, &texture);
   glTextureStorage2D(texture, levels, format, width, height);
   glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GLint(filter));
-  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GLint(filter));
+  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER,
+                      levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GLint(filter));
   glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GLint(wrap));
   glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GLint(wrap));
   return texture;
@@ -52,8 +66,11 @@ GLuint texture_of(GLenum format, int width, int height, int levels, GLenum filte
 
 GLuint picture_texture(const Picture& p, GLenum format) {
   const int levels = p.nearest ? 1 : 1 + int(std::log2(std::max(p.width, p.height)));
-  const GLuint texture = texture_of(format, p.width, p.height, levels, p.nearest ? GL_NEAREST : GL_LINEAR, p.clamped ? GL_CLAMP_TO_EDGE : GL_REPEAT);
-  glTextureSubImage2D(texture, 0, 0, 0, p.width, p.height, GL_RGBA, GL_UNSIGNED_BYTE, p.texels.data());
+  const GLuint texture =
+      texture_of(format, p.width, p.height, levels, p.nearest ? GL_NEAREST : GL_LINEAR,
+                 p.clamped ? GL_CLAMP_TO_EDGE : GL_REPEAT);
+  glTextureSubImage2D(texture, 0, 0, 0, p.width, p.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                      p.texels.data());
   glGenerateTextureMipmap(texture);
   return texture;
 }
@@ -62,9 +79,12 @@ GLuint table_texture(const Table& table) {
   GLuint texture;
   glCreateTextures(GL_TEXTURE_3D, 1, &texture);
   glTextureStorage3D(texture, 1, GL_RGBA16F, table.size[0], table.size[1], table.size[2]);
-  glTextureSubImage3D(texture, 0, 0, 0, 0, table.size[0], table.size[1], table.size[2], GL_RGBA, GL_HALF_FLOAT, table.halves.data());
-  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) glTextureParameteri(texture, name, GL_LINEAR);
-  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) glTextureParameteri(texture, axis, GL_CLAMP_TO_EDGE);
+  glTextureSubImage3D(texture, 0, 0, 0, 0, table.size[0], table.size[1], table.size[2], GL_RGBA,
+                      GL_HALF_FLOAT, table.halves.data());
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTextureParameteri(texture, name, GL_LINEAR);
+  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    glTextureParameteri(texture, axis, GL_CLAMP_TO_EDGE);
   return texture;
 }
 
@@ -94,7 +114,8 @@ enum { FRAME, DRAW, COLOR, ROUGHNESS, ENERGY, LOBES, REFLECTION, PYRAMID, DEPTH,
 
 class Renderer {
 public:
-  Renderer(const Scene& scene, const Environment& map, int width, int height) : scene_(scene), width_(width), height_(height), last_(last_level_of(width, height)) {
+  Renderer(const Scene& scene, const Environment& map, int width, int height)
+      : scene_(scene), width_(width), height_(height), last_(last_level_of(width, height)) {
     sky_ = program_of("fullscreen.vert", "sky.frag");
     body_ = program_of("mesh.vert", "body.frag");
     glass_ = program_of("mesh.vert", "glass.frag");
@@ -104,16 +125,21 @@ public:
     glCreateBuffers(2, blocks_);
     glNamedBufferStorage(blocks_[FRAME], sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     glNamedBufferStorage(blocks_[DRAW], sizeof(DrawBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    for (const GLuint at : {0U, 1U}) glBindBufferBase(GL_UNIFORM_BUFFER, at, blocks_[at]);
+    for (const GLuint at : {0U, 1U})
+      glBindBufferBase(GL_UNIFORM_BUFFER, at, blocks_[at]);
     const auto tables = tables_of(".");
-    for (int k = 0; k < 3; ++k) glBindTextureUnit(GLuint(ENERGY + k), table_texture(tables[k]));
-    for (const Mesh& mesh : scene.meshes) bodies_.push_back(body_of(mesh));
+    for (int k = 0; k < 3; ++k)
+      glBindTextureUnit(GLuint(ENERGY + k), table_texture(tables[k]));
+    for (const Mesh& mesh : scene.meshes)
+      bodies_.push_back(body_of(mesh));
     const GLuint back = texture_of(GL_RGBA32F, width, height, 1, GL_NEAREST);
     scene_depth_ = texture_of(GL_DEPTH_COMPONENT32F, width, height, 1, GL_NEAREST);
     pyramid_ = texture_of(GL_RGBA16F, width, height, last_ + 1, GL_LINEAR);
-    for (int k = 0; k <= last_; ++k) levels_.push_back(target_of(pyramid_, k == 0 ? scene_depth_ : 0, k));
+    for (int k = 0; k <= last_; ++k)
+      levels_.push_back(target_of(pyramid_, k == 0 ? scene_depth_ : 0, k));
     back_target_ = target_of(back, texture_of(GL_DEPTH_COMPONENT32F, width, height, 1, GL_NEAREST));
-    frame_ = target_of(texture_of(GL_RGBA16F, width, height, 1, GL_NEAREST), texture_of(GL_DEPTH_COMPONENT32F, width, height, 1, GL_NEAREST));
+    frame_ = target_of(texture_of(GL_RGBA16F, width, height, 1, GL_NEAREST),
+                       texture_of(GL_DEPTH_COMPONENT32F, width, height, 1, GL_NEAREST));
     glBindTextureUnit(PYRAMID, pyramid_);
     glBindTextureUnit(DEPTH, scene_depth_);
     glBindTextureUnit(BACKS, back);
@@ -124,16 +150,19 @@ public:
   std::vector<float> draw(glm::vec2 offset) {
     const FrameBlock frame = frame_of(scene_, environment_, width_, height_, offset, last_, true);
     glNamedBufferSubData(blocks_[FRAME], 0, sizeof frame, &frame);
-    draw_bodies(levels_[0], false); // 1. what is not glass, with its depth
+    draw_bodies(levels_[0], false);    // 1. what is not glass, with its depth
     for (int k = 1; k <= last_; ++k) { // 2. its pyramid of Gaussians
       glTextureParameteri(pyramid_, GL_TEXTURE_BASE_LEVEL, k - 1);
       glTextureParameteri(pyramid_, GL_TEXTURE_MAX_LEVEL, k - 1);
-      const PassBlock pass{glm::vec4(std::max(1, width_ >> (k - 1)), std::max(1, height_ >> (k - 1)), 0.0F, 0.0F), {}};
-      run(halve_, levels_[k], {0, 0, std::max(1, width_ >> k), std::max(1, height_ >> k)}, pyramid_, pass);
+      const PassBlock pass{
+          glm::vec4(std::max(1, width_ >> (k - 1)), std::max(1, height_ >> (k - 1)), 0.0F, 0.0F),
+          {}};
+      run(halve_, levels_[k], {0, 0, std::max(1, width_ >> k), std::max(1, height_ >> k)}, pyramid_,
+          pass);
     }
     glTextureParameteri(pyramid_, GL_TEXTURE_BASE_LEVEL, 0);
     glTextureParameteri(pyramid_, GL_TEXTURE_MAX_LEVEL, last_);
-    draw_back_faces(); // 3. where rays leave the glass
+    draw_back_faces();         // 3. where rays leave the glass
     draw_bodies(frame_, true); // 4. all of it, glass last
     std::vector<float> texels(4U * width_ * height_);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
@@ -143,11 +172,13 @@ public:
 
 private:
   static Body body_of(const Mesh& mesh) {
-    Body body{&mesh, 0, picture_texture(mesh.color, GL_SRGB8_ALPHA8), picture_texture(mesh.roughness, GL_RGBA8)};
+    Body body{&mesh, 0, picture_texture(mesh.color, GL_SRGB8_ALPHA8),
+              picture_texture(mesh.roughness, GL_RGBA8)};
     glCreateVertexArrays(1, &body.array);
     glVertexArrayVertexBuffer(body.array, 0, buffer_of(mesh.vertices), 0, sizeof(Vertex));
     glVertexArrayElementBuffer(body.array, buffer_of(mesh.indices));
-    const GLuint offsets[] = {offsetof(Vertex, position), offsetof(Vertex, normal), offsetof(Vertex, uv)};
+    const GLuint offsets[] = {offsetof(Vertex, position), offsetof(Vertex, normal),
+                              offsetof(Vertex, uv)};
     for (GLuint k = 0; k < 3; ++k) {
       glEnableVertexArrayAttrib(body.array, k);
       glVertexArrayAttribFormat(body.array, k, k == 2 ? 2 : 3, GL_FLOAT, GL_FALSE, offsets[k]);
@@ -156,7 +187,8 @@ private:
     return body;
   }
 
-  void run(GLuint program, GLuint target, std::array<int, 4> place, GLuint source, const PassBlock& block) {
+  void run(GLuint program, GLuint target, std::array<int, 4> place, GLuint source,
+           const PassBlock& block) {
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(place[0], place[1], place[2], place[3]);
     glDisable(GL_DEPTH_TEST);
@@ -168,10 +200,12 @@ private:
   }
 
   void blur_environment(const Environment& map) {
-    const GLuint sharp = program_of("fullscreen.vert", "environment_sharp.frag"), blur = program_of("fullscreen.vert", "environment_blur.frag");
+    const GLuint sharp = program_of("fullscreen.vert", "environment_sharp.frag"),
+                 blur = program_of("fullscreen.vert", "environment_blur.frag");
     const GLuint source = texture_of(GL_RGBA16F, map.width, map.height, 1, GL_LINEAR);
     glTextureParameteri(source, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    glTextureSubImage2D(source, 0, 0, 0, map.width, map.height, GL_RGBA, GL_FLOAT, map.texels.data());
+    glTextureSubImage2D(source, 0, 0, 0, map.width, map.height, GL_RGBA, GL_FLOAT,
+                        map.texels.data());
     GLuint atlas[2], target[2];
     for (int k = 0; k < 2; ++k) {
       atlas[k] = texture_of(GL_RGBA16F, environment_.width, environment_.height[k], 1, GL_LINEAR);
@@ -179,7 +213,8 @@ private:
     }
     for (int k = 0; k < LEVELS; ++k) {
       const Level& one = environment_.level[k];
-      run(k == 0 ? sharp : blur, target[k % 2], {0, one.row, one.size + 2, one.size + 2}, k == 0 ? source : atlas[(k + 1) % 2], environment_.block(k));
+      run(k == 0 ? sharp : blur, target[k % 2], {0, one.row, one.size + 2, one.size + 2},
+          k == 0 ? source : atlas[(k + 1) % 2], environment_.block(k));
     }
     glBindTextureUnit(EVEN, atlas[0]);
     glBindTextureUnit(ODD, atlas[1]);
@@ -203,7 +238,8 @@ private:
     glClear(GL_DEPTH_BUFFER_BIT);
     draw_meshes(body_, false);
     if (!glass_too) return;
-    glEnable(GL_CULL_FACE); // bodies of glass are closed: what faces away is seen through their front
+    glEnable(
+        GL_CULL_FACE); // bodies of glass are closed: what faces away is seen through their front
     draw_meshes(glass_, true);
     glDisable(GL_CULL_FACE);
   }
@@ -224,7 +260,8 @@ private:
   const Scene& scene_;
   const Levels environment_;
   const int width_, height_, last_;
-  GLuint sky_, body_, glass_, backs_, halve_, nothing_, blocks_[2], scene_depth_, pyramid_, back_target_, frame_;
+  GLuint sky_, body_, glass_, backs_, halve_, nothing_, blocks_[2], scene_depth_, pyramid_,
+      back_target_, frame_;
   std::vector<GLuint> levels_;
   std::vector<Body> bodies_;
 };
@@ -242,11 +279,16 @@ int main(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
   for (int k = 0; k < frames; ++k) { // frames at places of the pixel, averaged: a box filter
     const std::vector<float> one = renderer.draw(offset_of(k, asked.samples));
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += one[i] / float(frames);
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += one[i] / float(frames);
   }
-  const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() / frames;
+  const double ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()
+      / frames;
   if (glGetError() != GL_NO_ERROR) fail("OpenGL reports an error");
   stbi_flip_vertically_on_write(1);
-  if (!stbi_write_hdr(asked.out.c_str(), asked.width, asked.height, 4, sum.data())) fail(asked.out + " cannot be written");
-  std::printf("%s: %d x %d, %.1f ms a frame on %s\n", asked.out.c_str(), asked.width, asked.height, ms, reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+  if (!stbi_write_hdr(asked.out.c_str(), asked.width, asked.height, 4, sum.data()))
+    fail(asked.out + " cannot be written");
+  std::printf("%s: %d x %d, %.1f ms a frame on %s\n", asked.out.c_str(), asked.width, asked.height,
+              ms, reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
 }

@@ -21,19 +21,31 @@ VkCommandPool commands;
 VkPhysicalDeviceProperties properties;
 
 void open_device() {
-  const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .apiVersion = VK_API_VERSION_1_3};
-  const VkInstanceCreateInfo wanted{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO, .pApplicationInfo = &application};
+  const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
+                                      .apiVersion = VK_API_VERSION_1_3};
+  const VkInstanceCreateInfo wanted{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+                                    .pApplicationInfo = &application};
   check(vkCreateInstance(&wanted, nullptr, &instance), "vkCreateInstance");
   std::uint32_t count = 1;
-  if (vkEnumeratePhysicalDevices(instance, &count, &physical) < 0 || count == 0) fail("no Vulkan device");
+  if (vkEnumeratePhysicalDevices(instance, &count, &physical) < 0 || count == 0)
+    fail("no Vulkan device");
   vkGetPhysicalDeviceProperties(physical, &properties);
   const float priority = 1.0F; // family 0 draws on every device that draws at all
-  const VkDeviceQueueCreateInfo queues{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, .queueCount = 1, .pQueuePriorities = &priority};
-  VkPhysicalDeviceVulkan13Features modern{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES, .synchronization2 = VK_TRUE, .dynamicRendering = VK_TRUE};
-  const VkDeviceCreateInfo made{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, .pNext = &modern, .queueCreateInfoCount = 1, .pQueueCreateInfos = &queues};
+  const VkDeviceQueueCreateInfo queues{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                       .queueCount = 1,
+                                       .pQueuePriorities = &priority};
+  VkPhysicalDeviceVulkan13Features modern{.sType =
+                                              VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
+                                          .synchronization2 = VK_TRUE,
+                                          .dynamicRendering = VK_TRUE};
+  const VkDeviceCreateInfo made{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                                .pNext = &modern,
+                                .queueCreateInfoCount = 1,
+                                .pQueueCreateInfos = &queues};
   check(vkCreateDevice(physical, &made, nullptr, &device), "vkCreateDevice (Vulkan 1.3)");
   vkGetDeviceQueue(device, 0, 0, &queue);
-  const VkCommandPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT};
+  const VkCommandPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                     .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT};
   check(vkCreateCommandPool(device, &pool, nullptr, &commands), "vkCreateCommandPool");
 }
 
@@ -41,8 +53,12 @@ VkDeviceMemory memory_for(const VkMemoryRequirements& needs, VkMemoryPropertyFla
   VkPhysicalDeviceMemoryProperties memory;
   vkGetPhysicalDeviceMemoryProperties(physical, &memory);
   for (std::uint32_t k = 0; k < memory.memoryTypeCount; ++k) {
-    if (!(needs.memoryTypeBits >> k & 1U) || (memory.memoryTypes[k].propertyFlags & wanted) != wanted) continue;
-    const VkMemoryAllocateInfo asked{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = needs.size, .memoryTypeIndex = k};
+    if (!(needs.memoryTypeBits >> k & 1U)
+        || (memory.memoryTypes[k].propertyFlags & wanted) != wanted)
+      continue;
+    const VkMemoryAllocateInfo asked{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                     .allocationSize = needs.size,
+                                     .memoryTypeIndex = k};
     VkDeviceMemory found;
     check(vkAllocateMemory(device, &asked, nullptr, &found), "vkAllocateMemory");
     return found;
@@ -56,28 +72,35 @@ struct Buffer {
 };
 Buffer buffer_of(std::size_t bytes, VkBufferUsageFlags usage, const void* from = nullptr) {
   Buffer made;
-  const VkBufferCreateInfo asked{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = bytes, .usage = usage};
+  const VkBufferCreateInfo asked{
+      .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = bytes, .usage = usage};
   check(vkCreateBuffer(device, &asked, nullptr, &made.buffer), "vkCreateBuffer");
   VkMemoryRequirements needs;
   vkGetBufferMemoryRequirements(device, made.buffer, &needs);
-  const VkDeviceMemory memory = memory_for(needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+  const VkDeviceMemory memory =
+      memory_for(needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
   vkBindBufferMemory(device, made.buffer, memory, 0);
-  check(vkMapMemory(device, memory, 0, VK_WHOLE_SIZE, 0, reinterpret_cast<void**>(&made.data)), "vkMapMemory");
+  check(vkMapMemory(device, memory, 0, VK_WHOLE_SIZE, 0, reinterpret_cast<void**>(&made.data)),
+        "vkMapMemory");
   if (from) std::memcpy(made.data, from, bytes);
   return made;
 }
 
 VkCommandBuffer begin() {
-  const VkCommandBufferAllocateInfo asked{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, .commandPool = commands, .commandBufferCount = 1};
+  const VkCommandBufferAllocateInfo asked{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                          .commandPool = commands,
+                                          .commandBufferCount = 1};
   VkCommandBuffer made;
   check(vkAllocateCommandBuffers(device, &asked, &made), "vkAllocateCommandBuffers");
-  const VkCommandBufferBeginInfo once{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO, .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+  const VkCommandBufferBeginInfo once{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                      .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
   vkBeginCommandBuffer(made, &once);
   return made;
 }
 void finish(VkCommandBuffer buffer) {
   vkEndCommandBuffer(buffer);
-  const VkSubmitInfo work{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &buffer};
+  const VkSubmitInfo work{
+      .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &buffer};
   check(vkQueueSubmit(queue, 1, &work, VK_NULL_HANDLE), "vkQueueSubmit");
   check(vkQueueWaitIdle(queue), "vkQueueWaitIdle");
   vkFreeCommandBuffers(device, commands, 1, &buffer);
@@ -85,9 +108,14 @@ void finish(VkCommandBuffer buffer) {
 
 // All images stay in VK_IMAGE_LAYOUT_GENERAL, and everything before a pass is done before it: simple, not fastest.
 void wait(VkCommandBuffer buffer) {
-  const VkMemoryBarrier2 all{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
-    .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
-  const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &all};
+  const VkMemoryBarrier2 all{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+                             .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                             .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+                             .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                             .dstAccessMask =
+                                 VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
+  const VkDependencyInfo dependency{
+      .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &all};
   vkCmdPipelineBarrier2(buffer, &dependency);
 }
 
@@ -97,41 +125,78 @@ struct Image {
   std::array<int, 3> size;
   int levels;
   VkImageAspectFlags aspect;
-  VkImageView all;                 // to read
+  VkImageView all;                // to read
   std::vector<VkImageView> level; // to draw into, and to read one alone
 };
 
 Image image_of(VkFormat format, std::array<int, 3> size, int levels = 1) {
   const bool depth = format == VK_FORMAT_D32_SFLOAT, volume = size[2] > 1;
-  Image made{VK_NULL_HANDLE, format, size, levels, VkImageAspectFlags(depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT), VK_NULL_HANDLE, {}};
-  const bool drawn = format == VK_FORMAT_R16G16B16A16_SFLOAT || format == VK_FORMAT_R32G32B32A32_SFLOAT;
-  const VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT
-    | (depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : drawn && !volume ? VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT : 0);
-  const VkImageCreateInfo asked{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO, .imageType = volume ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D, .format = format,
-    .extent = {std::uint32_t(size[0]), std::uint32_t(size[1]), std::uint32_t(size[2])}, .mipLevels = std::uint32_t(levels), .arrayLayers = 1, .samples = VK_SAMPLE_COUNT_1_BIT, .usage = usage};
+  Image made{VK_NULL_HANDLE,
+             format,
+             size,
+             levels,
+             VkImageAspectFlags(depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT),
+             VK_NULL_HANDLE,
+             {}};
+  const bool drawn =
+      format == VK_FORMAT_R16G16B16A16_SFLOAT || format == VK_FORMAT_R32G32B32A32_SFLOAT;
+  const VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT
+                                  | VK_IMAGE_USAGE_TRANSFER_SRC_BIT
+                                  | (depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                     : drawn && !volume ? VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
+                                                        : 0);
+  const VkImageCreateInfo asked{
+      .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+      .imageType = volume ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D,
+      .format = format,
+      .extent = {std::uint32_t(size[0]), std::uint32_t(size[1]), std::uint32_t(size[2])},
+      .mipLevels = std::uint32_t(levels),
+      .arrayLayers = 1,
+      .samples = VK_SAMPLE_COUNT_1_BIT,
+      .usage = usage};
   check(vkCreateImage(device, &asked, nullptr, &made.image), "vkCreateImage");
   VkMemoryRequirements needs;
   vkGetImageMemoryRequirements(device, made.image, &needs);
-  check(vkBindImageMemory(device, made.image, memory_for(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT), 0), "vkBindImageMemory");
+  check(vkBindImageMemory(device, made.image,
+                          memory_for(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT), 0),
+        "vkBindImageMemory");
   for (int k = -1; k < levels; ++k) {
-    const VkImageViewCreateInfo view{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO, .image = made.image, .viewType = volume ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D,
-      .format = format, .subresourceRange = {made.aspect, std::uint32_t(std::max(k, 0)), k < 0 ? std::uint32_t(levels) : 1, 0, 1}};
+    const VkImageViewCreateInfo view{
+        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+        .image = made.image,
+        .viewType = volume ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D,
+        .format = format,
+        .subresourceRange = {made.aspect, std::uint32_t(std::max(k, 0)),
+                             k < 0 ? std::uint32_t(levels) : 1, 0, 1}};
     VkImageView one;
     check(vkCreateImageView(device, &view, nullptr, &one), "vkCreateImageView");
-    if (k < 0) made.all = one;
-    else made.level.push_back(one);
+    if (k < 0)
+      made.all = one;
+    else
+      made.level.push_back(one);
   }
   const VkCommandBuffer buffer = begin();
-  const VkImageMemoryBarrier2 general{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2, .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-    .dstAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT, .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED, .newLayout = VK_IMAGE_LAYOUT_GENERAL, .image = made.image, .subresourceRange = {made.aspect, 0, std::uint32_t(levels), 0, 1}};
-  const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &general};
+  const VkImageMemoryBarrier2 general{
+      .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+      .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+      .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+      .dstAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+      .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
+      .newLayout = VK_IMAGE_LAYOUT_GENERAL,
+      .image = made.image,
+      .subresourceRange = {made.aspect, 0, std::uint32_t(levels), 0, 1}};
+  const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                    .imageMemoryBarrierCount = 1,
+                                    .pImageMemoryBarriers = &general};
   vkCmdPipelineBarrier2(buffer, &dependency);
   finish(buffer);
   return made;
 }
 
 VkBufferImageCopy whole(const Image& image) {
-  return {.imageSubresource = {image.aspect, 0, 0, 1}, .imageExtent = {std::uint32_t(image.size[0]), std::uint32_t(image.size[1]), std::uint32_t(image.size[2])}};
+  return {.imageSubresource = {image.aspect, 0, 0, 1},
+          .imageExtent = {std::uint32_t(image.size[0]), std::uint32_t(image.size[1]),
+                          std::uint32_t(image.size[2])}};
 }
 Image image_from(VkFormat format, std::array<int, 3> size, const void* texels, std::size_t bytes) {
   const Image made = image_of(format, size);
@@ -144,16 +209,40 @@ Image image_from(VkFormat format, std::array<int, 3> size, const void* texels, s
 }
 
 VkSampler sampler_of(VkFilter filter, bool repeats_across, bool repeats_down) {
-  const auto mode = [](bool repeats) { return repeats ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE; };
-  const VkSamplerCreateInfo asked{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO, .magFilter = filter, .minFilter = filter, .mipmapMode = filter == VK_FILTER_LINEAR ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST,
-    .addressModeU = mode(repeats_across), .addressModeV = mode(repeats_down), .addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE, .maxLod = VK_LOD_CLAMP_NONE};
+  const auto mode = [](bool repeats) {
+    return repeats ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  };
+  const VkSamplerCreateInfo asked{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                  .magFilter = filter,
+                                  .minFilter = filter,
+                                  .mipmapMode = filter == VK_FILTER_LINEAR
+                                                    ? VK_SAMPLER_MIPMAP_MODE_LINEAR
+                                                    : VK_SAMPLER_MIPMAP_MODE_NEAREST,
+                                  .addressModeU = mode(repeats_across),
+                                  .addressModeV = mode(repeats_down),
+                                  .addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+                                  .maxLod = VK_LOD_CLAMP_NONE};
   VkSampler made;
   check(vkCreateSampler(device, &asked, nullptr, &made), "vkCreateSampler");
   return made;
 }
 
 // Bindings are those of the shaders: blocks 0 and 1 (the second at an offset of each draw), textures 2 to 11.
-enum { FRAME, DRAW, COLOR, ROUGHNESS, ENERGY, LOBES, REFLECTION, PYRAMID, DEPTH, EVEN, ODD, BACKS, BINDINGS };
+enum {
+  FRAME,
+  DRAW,
+  COLOR,
+  ROUGHNESS,
+  ENERGY,
+  LOBES,
+  REFLECTION,
+  PYRAMID,
+  DEPTH,
+  EVEN,
+  ODD,
+  BACKS,
+  BINDINGS
+};
 struct Texture {
   VkImageView view;
   VkSampler sampler;
@@ -166,17 +255,22 @@ struct Body {
 
 class Renderer {
 public:
-  Renderer(const Scene& scene, const Environment& map, int width, int height) : scene_(scene), width_(width), height_(height), last_(last_level_of(width, height)) {
+  Renderer(const Scene& scene, const Environment& map, int width, int height)
+      : scene_(scene), width_(width), height_(height), last_(last_level_of(width, height)) {
     linear_ = sampler_of(VK_FILTER_LINEAR, false, false);
     nearest_ = sampler_of(VK_FILTER_NEAREST, false, false);
     make_layout();
-    const VkFormat half = VK_FORMAT_R16G16B16A16_SFLOAT, depth = VK_FORMAT_D32_SFLOAT, full = VK_FORMAT_R32G32B32A32_SFLOAT;
+    const VkFormat half = VK_FORMAT_R16G16B16A16_SFLOAT, depth = VK_FORMAT_D32_SFLOAT,
+                   full = VK_FORMAT_R32G32B32A32_SFLOAT;
     sky_ = pipeline_of("fullscreen.vert", "sky.frag", half, true, false, VK_CULL_MODE_NONE);
     body_ = pipeline_of("mesh.vert", "body.frag", half, true, true, VK_CULL_MODE_NONE);
-    glass_ = pipeline_of("mesh.vert", "glass.frag", half, true, true, VK_CULL_MODE_BACK_BIT); // closed: what faces away is seen through their front
+    glass_ =
+        pipeline_of("mesh.vert", "glass.frag", half, true, true,
+                    VK_CULL_MODE_BACK_BIT); // closed: what faces away is seen through their front
     backs_ = pipeline_of("mesh.vert", "back_faces.frag", full, true, true, VK_CULL_MODE_FRONT_BIT);
     halve_ = pipeline_of("fullscreen.vert", "halve.frag", half, false, false, VK_CULL_MODE_NONE);
-    blocks_ = buffer_of(aligned(sizeof(FrameBlock)) + aligned(sizeof(DrawBlock)) * most_draws, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    blocks_ = buffer_of(aligned(sizeof(FrameBlock)) + aligned(sizeof(DrawBlock)) * most_draws,
+                        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     const std::array<int, 3> size{width, height, 1};
     pyramid_ = image_of(half, size, last_ + 1);
     depth_ = image_of(depth, size);
@@ -184,9 +278,13 @@ public:
     back_depth_ = image_of(depth, size);
     frame_ = image_of(half, size);
     frame_depth_ = image_of(depth, size);
-    for (int k = 0; k < 2; ++k) atlas_[k] = image_of(half, {environment_.width, environment_.height[k], 1});
+    for (int k = 0; k < 2; ++k)
+      atlas_[k] = image_of(half, {environment_.width, environment_.height[k], 1});
     const auto tables = tables_of(".");
-    for (int k = 0; k < 3; ++k) textures_[ENERGY + k] = {image_from(half, tables[k].size, tables[k].halves.data(), tables[k].halves.size()).all, linear_};
+    for (int k = 0; k < 3; ++k)
+      textures_[ENERGY + k] = {
+          image_from(half, tables[k].size, tables[k].halves.data(), tables[k].halves.size()).all,
+          linear_};
     textures_[PYRAMID] = {pyramid_.all, linear_};
     textures_[DEPTH] = {depth_.all, nearest_};
     textures_[EVEN] = {atlas_[0].all, linear_};
@@ -194,8 +292,10 @@ public:
     textures_[BACKS] = {back_.all, nearest_};
     const Texture none = textures_[BACKS]; // where a pass reads nothing
     nothing_ = set_of(none, none);
-    for (const Mesh& mesh : scene.meshes) bodies_.push_back(body_of(mesh));
-    for (int k = 0; k < last_; ++k) level_sets_.push_back(set_of({pyramid_.level[k], linear_}, none));
+    for (const Mesh& mesh : scene.meshes)
+      bodies_.push_back(body_of(mesh));
+    for (int k = 0; k < last_; ++k)
+      level_sets_.push_back(set_of({pyramid_.level[k], linear_}, none));
     read_ = buffer_of(8U * width * height, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
     blur_environment(map);
   }
@@ -207,22 +307,27 @@ public:
     draws_ = 0;
     buffer_ = begin();
     draw_bodies(pyramid_, depth_, false); // 1. what is not glass, with its depth
-    for (int k = 1; k <= last_; ++k) { // 2. its pyramid of Gaussians
-      const glm::vec4 source(std::max(1, width_ >> (k - 1)), std::max(1, height_ >> (k - 1)), 0.0F, 0.0F);
-      run(halve_, pyramid_.level[k], {0, 0, std::max(1, width_ >> k), std::max(1, height_ >> k)}, level_sets_[k - 1], {source, {}});
+    for (int k = 1; k <= last_; ++k) {    // 2. its pyramid of Gaussians
+      const glm::vec4 source(std::max(1, width_ >> (k - 1)), std::max(1, height_ >> (k - 1)), 0.0F,
+                             0.0F);
+      run(halve_, pyramid_.level[k], {0, 0, std::max(1, width_ >> k), std::max(1, height_ >> k)},
+          level_sets_[k - 1], {source, {}});
     }
-    open_pass(back_.level[0], back_depth_.level[0], {0, 0, width_, height_}, true); // 3. where rays leave the glass
+    open_pass(back_.level[0], back_depth_.level[0], {0, 0, width_, height_},
+              true); // 3. where rays leave the glass
     draw_meshes(backs_, true);
     vkCmdEndRendering(buffer_);
     draw_bodies(frame_, frame_depth_, true); // 4. all of it, glass last
     wait(buffer_);
     const VkBufferImageCopy region = whole(frame_);
-    vkCmdCopyImageToBuffer(buffer_, frame_.image, VK_IMAGE_LAYOUT_GENERAL, read_.buffer, 1, &region);
+    vkCmdCopyImageToBuffer(buffer_, frame_.image, VK_IMAGE_LAYOUT_GENERAL, read_.buffer, 1,
+                           &region);
     wait(buffer_);
     finish(buffer_);
     std::vector<float> texels(4U * width_ * height_);
     const auto* const halves = reinterpret_cast<const std::uint16_t*>(read_.data);
-    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = glm::unpackHalf2x16(halves[i]).x;
+    for (std::size_t i = 0; i < texels.size(); ++i)
+      texels[i] = glm::unpackHalf2x16(halves[i]).x;
     return texels;
   }
 
@@ -238,90 +343,185 @@ private:
   void make_layout() {
     VkDescriptorSetLayoutBinding bindings[BINDINGS];
     for (std::uint32_t k = 0; k < BINDINGS; ++k)
-      bindings[k] = {k, k == FRAME ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : k == DRAW ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
-        VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
-    const VkDescriptorSetLayoutCreateInfo one{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, .bindingCount = BINDINGS, .pBindings = bindings};
-    check(vkCreateDescriptorSetLayout(device, &one, nullptr, &set_layout_), "vkCreateDescriptorSetLayout");
-    const VkPipelineLayoutCreateInfo all{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = 1, .pSetLayouts = &set_layout_};
+      bindings[k] = {k,
+                     k == FRAME  ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+                     : k == DRAW ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC
+                                 : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                     1, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
+    const VkDescriptorSetLayoutCreateInfo one{
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+        .bindingCount = BINDINGS,
+        .pBindings = bindings};
+    check(vkCreateDescriptorSetLayout(device, &one, nullptr, &set_layout_),
+          "vkCreateDescriptorSetLayout");
+    const VkPipelineLayoutCreateInfo all{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                         .setLayoutCount = 1,
+                                         .pSetLayouts = &set_layout_};
     check(vkCreatePipelineLayout(device, &all, nullptr, &layout_), "vkCreatePipelineLayout");
     const std::uint32_t sets = std::uint32_t(scene_.meshes.size()) + 64;
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sets}, {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, sets}, {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, sets * BINDINGS}};
-    const VkDescriptorPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = sets, .poolSizeCount = 3, .pPoolSizes = sizes};
+    const VkDescriptorPoolSize sizes[] = {
+        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sets},
+        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, sets},
+        {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, sets * BINDINGS}};
+    const VkDescriptorPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                          .maxSets = sets,
+                                          .poolSizeCount = 3,
+                                          .pPoolSizes = sizes};
     check(vkCreateDescriptorPool(device, &pool, nullptr, &pool_), "vkCreateDescriptorPool");
   }
 
   VkDescriptorSet set_of(Texture color, Texture roughness) {
-    const VkDescriptorSetAllocateInfo asked{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, .descriptorPool = pool_, .descriptorSetCount = 1, .pSetLayouts = &set_layout_};
+    const VkDescriptorSetAllocateInfo asked{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                            .descriptorPool = pool_,
+                                            .descriptorSetCount = 1,
+                                            .pSetLayouts = &set_layout_};
     VkDescriptorSet set;
     check(vkAllocateDescriptorSets(device, &asked, &set), "vkAllocateDescriptorSets");
-    const VkDescriptorBufferInfo blocks[] = {{blocks_.buffer, 0, sizeof(FrameBlock)}, {blocks_.buffer, 0, sizeof(DrawBlock)}};
+    const VkDescriptorBufferInfo blocks[] = {{blocks_.buffer, 0, sizeof(FrameBlock)},
+                                             {blocks_.buffer, 0, sizeof(DrawBlock)}};
     VkDescriptorImageInfo images[BINDINGS];
     VkWriteDescriptorSet writes[BINDINGS];
     for (std::uint32_t k = 0; k < BINDINGS; ++k) {
       const Texture& t = k == COLOR ? color : k == ROUGHNESS ? roughness : textures_[k];
       images[k] = {t.sampler, t.view, VK_IMAGE_LAYOUT_GENERAL};
-      writes[k] = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, .dstSet = set, .dstBinding = k, .descriptorCount = 1,
-        .descriptorType = k == FRAME ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : k == DRAW ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-        .pImageInfo = &images[k], .pBufferInfo = k < COLOR ? &blocks[k] : nullptr};
+      writes[k] = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                   .dstSet = set,
+                   .dstBinding = k,
+                   .descriptorCount = 1,
+                   .descriptorType = k == FRAME  ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+                                     : k == DRAW ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC
+                                                 : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                   .pImageInfo = &images[k],
+                   .pBufferInfo = k < COLOR ? &blocks[k] : nullptr};
     }
     vkUpdateDescriptorSets(device, BINDINGS, writes, 0, nullptr);
     return set;
   }
 
-  VkPipeline pipeline_of(const std::string& vertex, const std::string& fragment, VkFormat format, bool depth, bool meshes, VkCullModeFlags cull) {
+  VkPipeline pipeline_of(const std::string& vertex, const std::string& fragment, VkFormat format,
+                         bool depth, bool meshes, VkCullModeFlags cull) {
     VkPipelineShaderStageCreateInfo stages[2];
     for (int k = 0; k < 2; ++k) {
       const std::string words = bytes_of("shaders/" + (k == 0 ? vertex : fragment) + ".spv");
-      const VkShaderModuleCreateInfo asked{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, .codeSize = words.size(), .pCode = reinterpret_cast<const std::uint32_t*>(words.data())};
+      const VkShaderModuleCreateInfo asked{
+          .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+          .codeSize = words.size(),
+          .pCode = reinterpret_cast<const std::uint32_t*>(words.data())};
       VkShaderModule module;
       check(vkCreateShaderModule(device, &asked, nullptr, &module), "vkCreateShaderModule");
-      stages[k] = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, .stage = k == 0 ? VK_SHADER_STAGE_VERTEX_BIT : VK_SHADER_STAGE_FRAGMENT_BIT, .module = module, .pName = "main"};
+      stages[k] = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                   .stage = k == 0 ? VK_SHADER_STAGE_VERTEX_BIT : VK_SHADER_STAGE_FRAGMENT_BIT,
+                   .module = module,
+                   .pName = "main"};
     }
     const VkVertexInputBindingDescription stream{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
-    const VkVertexInputAttributeDescription attributes[] = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)}, {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)}, {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv)}};
-    const VkPipelineVertexInputStateCreateInfo input{.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO, .vertexBindingDescriptionCount = meshes ? 1U : 0U, .pVertexBindingDescriptions = &stream,
-      .vertexAttributeDescriptionCount = meshes ? 3U : 0U, .pVertexAttributeDescriptions = attributes};
-    const VkPipelineInputAssemblyStateCreateInfo assembly{.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO, .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
-    const VkPipelineViewportStateCreateInfo view{.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
-    const VkPipelineRasterizationStateCreateInfo raster{.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO, .cullMode = cull, .frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE, .lineWidth = 1.0F};
-    const VkPipelineMultisampleStateCreateInfo single{.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO, .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
-    const VkPipelineDepthStencilStateCreateInfo tested{.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO, .depthTestEnable = meshes, .depthWriteEnable = meshes, .depthCompareOp = VK_COMPARE_OP_LESS};
+    const VkVertexInputAttributeDescription attributes[] = {
+        {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)},
+        {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)},
+        {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv)}};
+    const VkPipelineVertexInputStateCreateInfo input{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
+        .vertexBindingDescriptionCount = meshes ? 1U : 0U,
+        .pVertexBindingDescriptions = &stream,
+        .vertexAttributeDescriptionCount = meshes ? 3U : 0U,
+        .pVertexAttributeDescriptions = attributes};
+    const VkPipelineInputAssemblyStateCreateInfo assembly{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
+        .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
+    const VkPipelineViewportStateCreateInfo view{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
+        .viewportCount = 1,
+        .scissorCount = 1};
+    const VkPipelineRasterizationStateCreateInfo raster{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+        .cullMode = cull,
+        .frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE,
+        .lineWidth = 1.0F};
+    const VkPipelineMultisampleStateCreateInfo single{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
+        .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
+    const VkPipelineDepthStencilStateCreateInfo tested{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
+        .depthTestEnable = meshes,
+        .depthWriteEnable = meshes,
+        .depthCompareOp = VK_COMPARE_OP_LESS};
     const VkPipelineColorBlendAttachmentState plain{.colorWriteMask = 15};
-    const VkPipelineColorBlendStateCreateInfo blend{.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO, .attachmentCount = 1, .pAttachments = &plain};
+    const VkPipelineColorBlendStateCreateInfo blend{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+        .attachmentCount = 1,
+        .pAttachments = &plain};
     const VkDynamicState states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
-    const VkPipelineDynamicStateCreateInfo dynamic{.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO, .dynamicStateCount = 2, .pDynamicStates = states};
-    const VkPipelineRenderingCreateInfo into{.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO, .colorAttachmentCount = 1, .pColorAttachmentFormats = &format,
-      .depthAttachmentFormat = depth ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_UNDEFINED};
-    const VkGraphicsPipelineCreateInfo asked{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, .pNext = &into, .stageCount = 2, .pStages = stages, .pVertexInputState = &input, .pInputAssemblyState = &assembly,
-      .pViewportState = &view, .pRasterizationState = &raster, .pMultisampleState = &single, .pDepthStencilState = &tested, .pColorBlendState = &blend, .pDynamicState = &dynamic, .layout = layout_};
+    const VkPipelineDynamicStateCreateInfo dynamic{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
+        .dynamicStateCount = 2,
+        .pDynamicStates = states};
+    const VkPipelineRenderingCreateInfo into{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+        .colorAttachmentCount = 1,
+        .pColorAttachmentFormats = &format,
+        .depthAttachmentFormat = depth ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_UNDEFINED};
+    const VkGraphicsPipelineCreateInfo asked{.sType =
+                                                 VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
+                                             .pNext = &into,
+                                             .stageCount = 2,
+                                             .pStages = stages,
+                                             .pVertexInputState = &input,
+                                             .pInputAssemblyState = &assembly,
+                                             .pViewportState = &view,
+                                             .pRasterizationState = &raster,
+                                             .pMultisampleState = &single,
+                                             .pDepthStencilState = &tested,
+                                             .pColorBlendState = &blend,
+                                             .pDynamicState = &dynamic,
+                                             .layout = layout_};
     VkPipeline made;
-    check(vkCreateGraphicsPipelines(device, VK_NULL_HANDLE, 1, &asked, nullptr, &made), fragment.c_str());
+    check(vkCreateGraphicsPipelines(device, VK_NULL_HANDLE, 1, &asked, nullptr, &made),
+          fragment.c_str());
     return made;
   }
 
   Texture picture_of(const Picture& p, VkFormat format) {
     const VkFilter filter = p.nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
-    return {image_from(format, {p.width, p.height, 1}, p.texels.data(), p.texels.size()).all, sampler_of(filter, !p.clamped, !p.clamped)};
+    return {image_from(format, {p.width, p.height, 1}, p.texels.data(), p.texels.size()).all,
+            sampler_of(filter, !p.clamped, !p.clamped)};
   }
 
   Body body_of(const Mesh& mesh) {
-    return {&mesh, buffer_of(mesh.vertices.size() * sizeof(Vertex), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, mesh.vertices.data()),
-      buffer_of(mesh.indices.size() * sizeof(std::uint32_t), VK_BUFFER_USAGE_INDEX_BUFFER_BIT, mesh.indices.data()),
-      set_of(picture_of(mesh.color, VK_FORMAT_R8G8B8A8_SRGB), picture_of(mesh.roughness, VK_FORMAT_R8G8B8A8_UNORM))};
+    return {&mesh,
+            buffer_of(mesh.vertices.size() * sizeof(Vertex), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                      mesh.vertices.data()),
+            buffer_of(mesh.indices.size() * sizeof(std::uint32_t), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+                      mesh.indices.data()),
+            set_of(picture_of(mesh.color, VK_FORMAT_R8G8B8A8_SRGB),
+                   picture_of(mesh.roughness, VK_FORMAT_R8G8B8A8_UNORM))};
   }
 
   // place: left, top, width, height. upwards: clip space's y is up in the picture, as in OpenGL; else down, as textures are stored.
   void open_pass(VkImageView color, VkImageView depth, std::array<int, 4> place, bool upwards) {
     wait(buffer_);
-    const VkRenderingAttachmentInfo into{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO, .imageView = color, .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
-      .loadOp = depth ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD, .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
-    const VkRenderingAttachmentInfo tested{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO, .imageView = depth, .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
-      .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR, .storeOp = VK_ATTACHMENT_STORE_OP_STORE, .clearValue = {.depthStencil = {1.0F, 0}}};
+    const VkRenderingAttachmentInfo into{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                         .imageView = color,
+                                         .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
+                                         .loadOp = depth ? VK_ATTACHMENT_LOAD_OP_CLEAR
+                                                         : VK_ATTACHMENT_LOAD_OP_LOAD,
+                                         .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
+    const VkRenderingAttachmentInfo tested{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                           .imageView = depth,
+                                           .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
+                                           .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                           .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                           .clearValue = {.depthStencil = {1.0F, 0}}};
     const VkRect2D area{{place[0], place[1]}, {std::uint32_t(place[2]), std::uint32_t(place[3])}};
-    const VkRenderingInfo pass{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO, .renderArea = area, .layerCount = 1, .colorAttachmentCount = 1, .pColorAttachments = &into, .pDepthAttachment = depth ? &tested : nullptr};
+    const VkRenderingInfo pass{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                               .renderArea = area,
+                               .layerCount = 1,
+                               .colorAttachmentCount = 1,
+                               .pColorAttachments = &into,
+                               .pDepthAttachment = depth ? &tested : nullptr};
     vkCmdBeginRendering(buffer_, &pass);
     const float x = float(place[0]), y = float(place[1]), w = float(place[2]), h = float(place[3]);
-    const VkViewport view = upwards ? VkViewport{x, y + h, w, -h, 0.0F, 1.0F} : VkViewport{x, y, w, h, 0.0F, 1.0F};
+    const VkViewport view =
+        upwards ? VkViewport{x, y + h, w, -h, 0.0F, 1.0F} : VkViewport{x, y, w, h, 0.0F, 1.0F};
     vkCmdSetViewport(buffer_, 0, 1, &view);
     vkCmdSetScissor(buffer_, 0, 1, &area);
   }
@@ -329,13 +529,16 @@ private:
   template <class Block>
   void use(VkPipeline pipeline, VkDescriptorSet set, const Block& block) {
     if (draws_ == most_draws) fail("more meshes than this example has room for");
-    const std::uint32_t offset = std::uint32_t(aligned(sizeof(FrameBlock)) + aligned(sizeof(DrawBlock)) * draws_++);
+    const std::uint32_t offset =
+        std::uint32_t(aligned(sizeof(FrameBlock)) + aligned(sizeof(DrawBlock)) * draws_++);
     std::memcpy(blocks_.data + offset, &block, sizeof block);
     vkCmdBindPipeline(buffer_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-    vkCmdBindDescriptorSets(buffer_, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set, 1, &offset);
+    vkCmdBindDescriptorSets(buffer_, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set, 1,
+                            &offset);
   }
 
-  void run(VkPipeline pipeline, VkImageView target, std::array<int, 4> place, VkDescriptorSet set, const PassBlock& block) {
+  void run(VkPipeline pipeline, VkImageView target, std::array<int, 4> place, VkDescriptorSet set,
+           const PassBlock& block) {
     open_pass(target, VK_NULL_HANDLE, place, false);
     use(pipeline, set, block);
     vkCmdDraw(buffer_, 3, 1, 0, 0);
@@ -364,17 +567,24 @@ private:
 
   void blur_environment(const Environment& map) {
     const VkFormat half = VK_FORMAT_R16G16B16A16_SFLOAT;
-    const VkPipeline sharp = pipeline_of("fullscreen.vert", "environment_sharp.frag", half, false, false, VK_CULL_MODE_NONE);
-    const VkPipeline blur = pipeline_of("fullscreen.vert", "environment_blur.frag", half, false, false, VK_CULL_MODE_NONE);
+    const VkPipeline sharp = pipeline_of("fullscreen.vert", "environment_sharp.frag", half, false,
+                                         false, VK_CULL_MODE_NONE);
+    const VkPipeline blur = pipeline_of("fullscreen.vert", "environment_blur.frag", half, false,
+                                        false, VK_CULL_MODE_NONE);
     std::vector<std::uint16_t> halves(map.texels.size());
-    for (std::size_t i = 0; i < halves.size(); ++i) halves[i] = std::uint16_t(glm::packHalf2x16(glm::vec2(map.texels[i], 0.0F)));
-    const Texture source{image_from(half, {map.width, map.height, 1}, halves.data(), halves.size() * 2).all, sampler_of(VK_FILTER_LINEAR, true, false)};
-    const VkDescriptorSet first = set_of(source, source), sets[] = {set_of(textures_[EVEN], source), set_of(textures_[ODD], source)};
+    for (std::size_t i = 0; i < halves.size(); ++i)
+      halves[i] = std::uint16_t(glm::packHalf2x16(glm::vec2(map.texels[i], 0.0F)));
+    const Texture source{
+        image_from(half, {map.width, map.height, 1}, halves.data(), halves.size() * 2).all,
+        sampler_of(VK_FILTER_LINEAR, true, false)};
+    const VkDescriptorSet first = set_of(source, source), sets[] = {set_of(textures_[EVEN], source),
+                                                                    set_of(textures_[ODD], source)};
     draws_ = 0;
     buffer_ = begin();
     for (int k = 0; k < LEVELS; ++k) {
       const Level& one = environment_.level[k];
-      run(k == 0 ? sharp : blur, atlas_[k % 2].level[0], {0, one.row, one.size + 2, one.size + 2}, k == 0 ? first : sets[(k + 1) % 2], environment_.block(k));
+      run(k == 0 ? sharp : blur, atlas_[k % 2].level[0], {0, one.row, one.size + 2, one.size + 2},
+          k == 0 ? first : sets[(k + 1) % 2], environment_.block(k));
     }
     finish(buffer_);
   }
@@ -410,9 +620,14 @@ int main(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
   for (int k = 0; k < frames; ++k) { // frames at places of the pixel, averaged: a box filter
     const std::vector<float> one = renderer.draw(offset_of(k, asked.samples));
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += one[i] / float(frames);
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += one[i] / float(frames);
   }
-  const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() / frames;
-  if (!stbi_write_hdr(asked.out.c_str(), asked.width, asked.height, 4, sum.data())) fail(asked.out + " cannot be written");
-  std::printf("%s: %d x %d, %.1f ms a frame on %s\n", asked.out.c_str(), asked.width, asked.height, ms, properties.deviceName);
+  const double ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()
+      / frames;
+  if (!stbi_write_hdr(asked.out.c_str(), asked.width, asked.height, 4, sum.data()))
+    fail(asked.out + " cannot be written");
+  std::printf("%s: %d x %d, %.1f ms a frame on %s\n", asked.out.c_str(), asked.width, asked.height,
+              ms, properties.deviceName);
 }
