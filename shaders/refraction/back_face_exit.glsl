@@ -1,7 +1,7 @@
-// back_face_exit.glsl: where a ray inside glass leaves it, seen only through the nearest back faces: a pass of their depth and normals.
+// back_face_exit.glsl: where a ray inside glass leaves it, seen only through a pass of the nearest back faces' depth and normals.
 // Frame    world, metres; pixels as engine.glsl; n out of the body; direction unit, inside.
 // alpha    of the back face met, [0, 1].
-// Returns  backFaceExit: surface and path as convexExit; found false: the faces show none that the ray meets, and the rest is 0.
+// Returns  backFaceExit: surface and path as convexExit; found false: the faces show none that the ray meets, the rest is 0.
 //          engineBackFace, an engine's to supply: of the nearest back face of glass at a place, nearest texel: xy octEncode of its
 //          outward normal, z metres along the camera's axis, w the body's number, from 1, plus half of alpha; 0 where there is none.
 // Source   [Wyman05]; Newton's steps on the planes that texels show, as exit_search.glsl's.
@@ -71,7 +71,8 @@ BackFaceExit backFaceBetween(BackFace face, vec2 at, vec2 hit, vec3 p, float w, 
   found.exit.surface.alpha = face.alpha;
   found.exit.path = exitPlane(origin, direction, face.point, face.n);
   float cosTheta = dot(direction, found.exit.surface.n);
-  vec2 curvature = exitCurvature(face.n, direction, right.point - face.point, right.n - face.n, below.point - face.point, below.n - face.n);
+  vec2 curvature = exitCurvature(face.n, direction, right.point - face.point, right.n - face.n, below.point - face.point,
+                                 below.n - face.n);
   found.exit.surface.turn = exitTurn(cosTheta, found.exit.path, curvature);
   found.found = cosTheta > 0.0;
   return found;
@@ -97,7 +98,8 @@ BackFaceExit backFaceExit(vec3 origin, vec3 direction, float first, float eta, f
     BackFace face = backFaceAt(at, p, clip.w, number, view);
     float met = exitPlane(origin, direction, face.point, face.n);
     bool meets = face.exists && dot(direction, face.n) > 0.0 && met > 0.0;
-    if (k == 0 && !meets && face.exists) { // behind the pixel the ray runs along a face that it does not meet: as deep as the body is there
+    // Behind the pixel is a face that the ray does not meet: as deep as the body is there.
+    if (k == 0 && !meets && face.exists) {
       t = length(face.point - p);
       continue;
     }

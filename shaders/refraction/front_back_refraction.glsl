@@ -3,8 +3,9 @@
 // alpha    of the front face, [0, 1]; the back face's is what its pass says.
 // Returns  refractFrontBack: as refractConvex. number: the body's, as engineBackFace (back_face_exit.glsl) tells it.
 // Source   back_face_exit.glsl, convex_refraction.glsl.
-// Limits   those of both; where no back face is found the body is taken for convex_body.glsl's lens. One total reflection is followed.
-//          10 to 12 reads of tables, 6 to 32 of back faces, up to 21 of depth, 2 of the scene's colour, up to 3 of the environment.
+// Limits   those of both; where no back face is found the body is taken for convex_body.glsl's lens. One total internal
+//          reflection is followed. 10 to 12 reads of tables, 6 to 32 of back faces, up to 21 of depth, 2 of the scene's colour and
+//          up to 3 of the environment.
 #ifndef GG_REFRACTION_FRONT_BACK_REFRACTION_GLSL
 #define GG_REFRACTION_FRONT_BACK_REFRACTION_GLSL
 
@@ -18,7 +19,7 @@ struct WayOut {
   bool found;
 };
 
-// Past the critical angle all is reflected, and followed once to the next back face: a facet of width alpha turns it by twice its tilt.
+// Past the critical angle all is reflected, and followed once to the next back face: a facet turns it by twice its tilt.
 WayOut wayOut(GlassFace face, InnerTap tap, float eta, float number, SceneView view) {
   BackFaceExit seen = backFaceExit(face.position, tap.direction, 0.0, eta, number, view);
   WayOut way;
