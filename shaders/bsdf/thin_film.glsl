@@ -1,10 +1,10 @@
 // thin_film.glsl: Fresnel's reflectance of a film on a substrate, in linear Rec.709: iridescence.
 // Frame    none: cosTheta = wo . wm in air.
 // alpha    none. filmIor, baseIor: relative to air, 1 or more, real. thickness: nanometres; 0 is the bare substrate.
-// Returns  filmBaseIor: of a reflectance at normal incidence in [0, 1), 1 or more. filmFresnel: [0, 1] per channel; 1 at the horizon.
+// Returns  filmBaseIor: of a reflectance at normal incidence in [0, 1), 1 or more. filmFresnel: [0, 1] a channel; 1 at the horizon.
 // Source   [BelcourBarla17]: the film's Fourier series in the phase between its reflections, each term times the transform of the
-//          eye's sensitivities at that many optical path differences (their Gaussians). The series is Airy's sum [BornWolf99 §7.6] by
-//          Poisson's kernel, for both polarizations, with the signs of real amplitudes.
+//          eye's sensitivities at that many optical path differences (their Gaussians). The series is Airy's sum [BornWolf99
+//          §7.6] by Poisson's kernel, for both polarizations, with the signs of real amplitudes.
 // Limits   four terms of the series; colours by equal energy, white where the film reflects all; two Gaussians for X, one for Y
 //          and for Z. Within 0.02 of an integral over the spectrum for dielectrics (tests/bsdf/thin_film.cpp). Metals are taken for
 //          dielectrics of the same reflectance: their phase is lost.

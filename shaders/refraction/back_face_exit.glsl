@@ -3,7 +3,7 @@
 // alpha    of the back face met, [0, 1].
 // Returns  backFaceExit: surface and path as convexExit; found false: the faces show none that the ray meets, the rest is 0.
 //          engineBackFace, an engine's to supply: of the nearest back face of glass at a place, nearest texel: xy octEncode of its
-//          outward normal, z metres along the camera's axis, w the body's number, from 1, plus half of alpha; 0 where there is none.
+//          outward normal, z metres along the camera's axis, w its number, from 1, plus half of alpha; 0 where there is no face.
 // Source   [Wyman05]; Newton's steps on the planes that texels show, as exit_search.glsl's.
 // Limits   one back face: of a body that is not convex the ray leaves by the nearest. Perspective cameras only. At most 8 reads.
 #ifndef GG_REFRACTION_BACK_FACE_EXIT_GLSL
