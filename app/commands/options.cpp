@@ -76,6 +76,8 @@ void add_view_options(Command command, SceneOptions& o) {
   command.option("--target", &o.target, "What it looks at: X,Y,Z");
   command.option("--up", &o.up, "Which way is up: X,Y,Z");
   command.option("--fovy", &o.fovy, "Vertical field of view in degrees");
+  command.option("--ortho", &o.ortho,
+                 "With --eye: an orthographic camera that sees so many metres from top to bottom");
 }
 
 void add_options(Command command, DeviceOptions& o) {
@@ -135,9 +137,22 @@ scene::Camera choose_camera(const SceneOptions& options, const scene::Scene& sce
     const glm::vec3 target = options.target.empty()
                                  ? scene.bounds.empty() ? glm::vec3(0.0f) : scene.bounds.centre()
                                  : parse_vec3(options.target, "--target");
-    return scene::look_at(scene, parse_vec3(options.eye, "--eye"), target,
-                          parse_vec3(options.up, "--up"), options.fovy.value_or(45.0f) * radians);
+    scene::Camera camera =
+        scene::look_at(scene, parse_vec3(options.eye, "--eye"), target,
+                       parse_vec3(options.up, "--up"), options.fovy.value_or(45.0f) * radians);
+    if (!options.ortho) return camera;
+    if (!(*options.ortho > 0.0f) || !std::isfinite(*options.ortho))
+      refuse("--ortho", std::to_string(*options.ortho), "It is a height in metres, more than 0.");
+    const float half = 0.5f * *options.ortho;
+    camera.orthographic = true;
+    camera.magnification = {half * static_cast<float>(size.width) / static_cast<float>(size.height),
+                            half};
+    scene::fit_depth(camera, scene);
+    return camera;
   }
+  if (options.ortho)
+    throw Error(ExitCode::usage, "--ortho", "is given without --eye",
+                "Say where the camera is: --eye X,Y,Z.");
   if (!options.target.empty())
     throw Error(ExitCode::usage, "--target", "is given without --eye",
                 "Say where the camera is: --eye X,Y,Z.");
@@ -228,6 +243,7 @@ std::string typed_view(const SceneOptions& o) {
   add("--target", o.target, defaults.target);
   add("--up", o.up, defaults.up);
   if (o.fovy) add("--fovy", fmt::format("{}", *o.fovy), "");
+  if (o.ortho) add("--ortho", fmt::format("{}", *o.ortho), "");
   return line;
 }
 

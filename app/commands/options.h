@@ -28,7 +28,8 @@ struct SceneOptions {
   std::string size = "1280x720";
   std::string camera; // name or index
   std::string eye, target, up = "0,1,0";
-  std::optional<float> fovy; // degrees
+  std::optional<float> fovy;  // degrees
+  std::optional<float> ortho; // metres: the height that an orthographic camera sees
 };
 
 struct DeviceOptions {

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <memory>
+#include <sstream>
 
 namespace gg::commands {
 namespace {
@@ -24,6 +25,7 @@ struct Options {
   std::string tonemap = "neutral";
   float exposure = 0.0f, scale = 0.0f;
   bool no_panel = false;
+  std::string inspect;
   std::string json;          // where the times of --bench-orbit go
   viewer::Settings settings; // what has no counterpart elsewhere
 };
@@ -49,7 +51,10 @@ SceneOptions options_of(const viewer::View& view, int width, int height) {
   o.eye = words_of(view.place->eye);
   o.target = words_of(view.place->target);
   o.up = words_of(view.place->up);
-  o.fovy = view.place->fovy;
+  if (view.place->ortho > 0.0f)
+    o.ortho = view.place->ortho;
+  else
+    o.fovy = view.place->fovy;
   return o;
 }
 
@@ -103,12 +108,26 @@ std::optional<viewer::Place> place_of(const SceneOptions& o) {
   if (o.eye.empty()) return std::nullopt;
   viewer::Place place{.eye = parse_vec3(o.eye, "--eye"),
                       .up = parse_vec3(o.up, "--up"),
-                      .fovy = o.fovy.value_or(45.0f)};
+                      .fovy = o.fovy.value_or(45.0f),
+                      .ortho = o.ortho.value_or(0.0f)};
   if (o.target.empty())
     throw Error(ExitCode::usage, "--eye", "is given without --target",
                 "Say what the camera turns about: --target X,Y,Z.");
   place.target = parse_vec3(o.target, "--target");
   return place;
+}
+
+// "X,Y", each from 0 to 1.
+glm::vec2 parse_place(const std::string& text) {
+  std::istringstream in(text);
+  glm::vec2 at(-1.0f);
+  char comma = 0;
+  in >> at.x >> comma >> at.y;
+  if (!in || comma != ',' || !in.eof() || glm::any(glm::lessThan(at, glm::vec2(0.0f)))
+      || glm::any(glm::greaterThan(at, glm::vec2(1.0f))))
+    throw Error(ExitCode::usage, "--inspect", "'" + text + "' is not understood",
+                "Write two numbers from 0 to 1: --inspect 0.5,0.4.");
+  return at;
 }
 
 void check(const Options& o) {
@@ -156,6 +175,7 @@ void view(Options o) {
                    .exposure = o.exposure,
                    .tonemap = o.tonemap};
   settings.panel = !o.no_panel;
+  if (!o.inspect.empty()) settings.inspect = parse_place(o.inspect);
   const bool without_hands = settings.bench_orbit > 0;
   settings.window = {.title = "Groundglass",
                      .width = size.width,
@@ -202,6 +222,8 @@ void add_view(Command program) {
                  "Write the finished window to this .png, and end");
   command.option("--pick", &settings.pick,
                  "With --screenshot-window: pick the object of this name");
+  command.option("--inspect", &options->inspect,
+                 "Show the lobes at this place of the picture, X,Y from 0,0, its top left, to 1,1");
   command.option("--truth", &settings.truth, "Begin with the truth, of so many samples per pixel");
   command.option("--compare", &settings.comparing,
                  "How it is shown: wipe, side-by-side, error or flip");

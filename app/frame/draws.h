@@ -49,7 +49,8 @@ public:
   // While `what` runs pipelines are not made, only told to the device, which compiles them on all cores; those it is given are null.
   void expect(const std::function<void()>& what);
 
-  // Compiled at the first call, kept from then on.
+  // Compiled at the first call, kept from then on or until all are forgotten.
+  void forget() { pipelines_.clear(); }
   gpu::PipelineRef pipeline(const gpu::PipelineDesc& desc);
   gpu::PipelineRef pipeline(const DrawPass& pass, const needs::Draw& draw);
   Recorded recorded(const DrawPass& pass, const needs::LayerDraw& draw);

@@ -13,4 +13,5 @@ std::unique_ptr<Window> create_window(const WindowDesc& desc);
 namespace gg::gpu::vulkan {
 std::vector<DeviceInfo> list_devices();
 std::unique_ptr<Device> create_device(const DeviceDesc& desc);
+std::unique_ptr<Window> create_window(const WindowDesc& desc);
 } // namespace gg::gpu::vulkan

@@ -72,11 +72,9 @@ public:
 
   // Starts Dear ImGui's frame; its coordinates are pixels.
   virtual void begin_frame() = 0;
-  // Ends it and shows `picture` (rgba8 with Use::sampled, as large as the window) with the panels over it. With `shown`, also reads
-  // what is shown: RGBA, width() x height(), row 0 first.
+  // Ends it and shows `picture` (rgba8 with Use::attachment and Use::read_back, as large as the window; the panels may be drawn into
+  // it) with the panels over it. With `shown`, also reads what is shown: RGBA, width() x height(), row 0 first.
   virtual void present(const TextureRef& picture, std::vector<std::byte>* shown = nullptr) = 0;
-  // An ImTextureID for panels. The texture (rgba8, one level) must outlive the frame.
-  virtual void* panel_texture(const TextureRef& texture) = 0;
 };
 
 // Throws Error(device): no display, or no driver that draws into one, and what to do.

@@ -6,6 +6,7 @@
 #include "viewer/pace.h"
 #include "viewer/picture.h"
 #include "viewer/session.h"
+#include "viewer/shader_reload.h"
 #include "viewer/viewer.h"
 #include "viewer/watched_files.h"
 
@@ -45,6 +46,7 @@ private:
   // drawing.cpp
   void restart(bool quick);
   frame::FrameDesc frame_desc(double scale, int samples) const;
+  void draw();
   void draw_picture();
   void draw_quick();
   void draw_still(Picture& picture, double& sample_ms);
@@ -53,6 +55,8 @@ private:
   std::optional<Beside> beside();
   void run_truth();
   void take_truth();
+  void take_shaders();
+  void inspect();
 
   const Settings& settings_;
   const Commands& commands_;
@@ -66,15 +70,18 @@ private:
   TruthRun truth_;
   Pace pace_;
   WatchedFiles files_;
+  ShaderReload shaders_;
 
   int width_ = 0, height_ = 0;           // of the picture on the screen, pixels
   bool stale_ = true;                    // the picture is of another view than the session's
   bool quick_ = false;                   // it is a quick one
+  bool broken_ = false;                  // its shaders compile, and cannot be drawn with
   bool compared_ = false;                // the truth has been given the finished picture
   std::optional<scene::Index> outlined_; // what the display pass was told
   gpu::TextureRef beside_;               // of report_shown_
   std::shared_ptr<const TruthRun::Report> report_shown_;
   Comparing beside_kind_ = Comparing::wipe;
+  bool reloaded_ = false; // shaders have been, at least once
   Clock::time_point changed_ = Clock::now(), last_frame_ = Clock::now();
   std::uint64_t events_seen_ = 0;
   int settling_ = 3; // frames to be shown yet before the window may rest

@@ -3,6 +3,8 @@
 #include "image/heat_map.h"
 #include "viewer/application.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,6 +27,21 @@ image::Image coloured(const image::Image& map, double top) {
     std::ranges::copy(colour, colours.values.begin() + static_cast<std::ptrdiff_t>(3 * i));
   }
   return colours;
+}
+
+// As `groundglass needs` lists them.
+std::vector<Session::PassRow> rows_of(const frame::Graph& graph) {
+  std::vector<Session::PassRow> rows;
+  for (const frame::Pass& pass : graph.passes) {
+    auto row = std::ranges::find(rows, pass.label, &Session::PassRow::label);
+    if (row == rows.end()) row = rows.insert(rows.end(), {.label = pass.label});
+    ++row->passes;
+    row->draws += pass.draws;
+    for (const frame::ColorOutput& color : pass.colors)
+      row->bytes += frame::bytes_of(graph.targets[color.part.target]);
+    if (pass.depth) row->bytes += frame::bytes_of(graph.targets[pass.depth->target]);
+  }
+  return rows;
 }
 
 } // namespace
@@ -115,6 +132,21 @@ void Application::draw_picture() {
   }
   session_.drawn = picture_->drawn();
   session_.device_bytes = window_->device().memory_bytes();
+  if (!session_.pass_table) return;
+  session_.passes = rows_of(picture_->renderer().graph());
+  session_.features = needs::features_in_use(picture_->renderer().needs().draws.all);
+}
+
+// A shader that was saved may compile and yet not fit what is drawn with it.
+void Application::draw() {
+  try {
+    draw_picture();
+    draw_second();
+  } catch (const Error& error) {
+    if (!reloaded_) throw;
+    session_.shader_message = error.what();
+    broken_ = true;
+  }
 }
 
 void Application::run_truth() {
@@ -144,6 +176,34 @@ void Application::run_truth() {
 
 void Application::take_truth() {
   if (auto report = truth_.take()) session_.report = std::move(report);
+}
+
+// What has been drawn with the text before stays until the next sample.
+void Application::take_shaders() {
+  const auto done = shaders_.take();
+  if (!done) return;
+  settling_ = 3;
+  session_.shader_message = done->failed;
+  if (done->compiled == 0) return;
+  reloaded_ = true;
+  broken_ = false;
+  session_.said = fmt::format("compiled {} stages again", done->compiled);
+  picture_->forget_pipelines();
+  second_.reset();
+  second_method_.clear();
+  display_ = std::make_unique<DisplayPass>(window_->device());
+  outlined_.reset();
+  session_.requests.quality = true;
+}
+
+void Application::inspect() {
+  session_.inspected.reset();
+  const auto at = session_.inspected_at ? session_.inspected_at : session_.cursor;
+  if (!session_.inspector || !session_.scene || !at || height_ == 0) return;
+  const Ray ray =
+      ray_through(session_.camera, *at, static_cast<float>(width_) / static_cast<float>(height_));
+  session_.inspected = viewer::inspect(*session_.scene, ray, commands_.method(session_.view.method),
+                                       session_.view.smith == "correlated");
 }
 
 std::optional<Beside> Application::beside() {
@@ -193,7 +253,7 @@ gpu::TextureRef Application::compose() {
                          .picture_height = height_,
                          .tone_map = frame::parse_tone_map(session_.view.tonemap),
                          .beside = beside()};
-  if (picture_->is_open() && picture_->drawn() > 0) {
+  if (!broken_ && picture_->is_open() && picture_->drawn() > 0) {
     show.picture = picture_->texture();
     show.factor = picture_->factor() * std::exp2(session_.view.exposure);
   } else {

@@ -93,6 +93,11 @@ void take_view_key(Session& session, const gpu::KeyPress& press) {
     return closer(dolly_per_notch);
   case '-':
     return closer(1.0f / dolly_per_notch);
+  case '5':
+  case gpu::key::keypad_0 + 5: {
+    Place& moved = place(session);
+    return set_orthographic(moved, moved.ortho == 0.0f);
+  }
   case '1':
   case gpu::key::keypad_0 + 1:
     return side(Side::front, Side::back);
@@ -156,6 +161,9 @@ void take_key(Session& session, const gpu::KeyPress& press) {
   case 'R':
     session.turntable = !session.turntable;
     return;
+  case 'I':
+    session.inspector = !session.inspector;
+    return;
   case 'T':
     session.truth = !session.truth;
     return;
@@ -184,6 +192,12 @@ void take_input(Session& session, const Area& area, const std::vector<gpu::KeyPr
   }
   if (!session.scene) return;
   take_mouse(session, drags, area);
+  const ImGuiIO& io = ImGui::GetIO();
+  const glm::vec2 cursor(io.MousePos.x / area.width, io.MousePos.y / area.height);
+  const bool over = !io.WantCaptureMouse && glm::all(glm::greaterThanEqual(cursor, glm::vec2(0.0f)))
+                    && glm::all(glm::lessThan(cursor, glm::vec2(1.0f)));
+  if (over && session.cursor != cursor) session.inspected_at.reset();
+  if (over) session.cursor = cursor;
   if (session.turntable) orbit(place(session), turntable_speed * static_cast<float>(seconds), 0.0f);
 }
 
@@ -195,6 +209,7 @@ const char* help() {
          "Click: pick\n"
          "F: frame all        . : frame what is picked\n"
          "1 3 7: front, right, top   (Ctrl: opposite)\n"
+         "5: orthographic    I: lobes under the cursor\n"
          "Arrows, + and -: orbit, dolly\n"
          "R: turntable        Ctrl+R: reload\n"
          "T: truth beside it  M: how it is shown\n"

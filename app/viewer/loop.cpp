@@ -19,8 +19,9 @@ void Application::loop() {
 }
 
 bool Application::is_busy() const {
-  if (settling_ > 0 || loading_.ready() || truth_.ready() || session_.turntable) return true;
-  if (!session_.scene) return false;
+  if (settling_ > 0 || loading_.ready() || truth_.ready() || shaders_.ready() || session_.turntable)
+    return true;
+  if (!session_.scene || broken_) return false;
   return stale_ || quick_ || !picture_->done()
          || (second_ && !second_method_.empty() && !second_->done());
 }
@@ -38,6 +39,7 @@ void Application::wait() {
     window_->wait_events(between_looks);
     see();
     if (const std::string path = files_.changed(); !path.empty()) open(path);
+    shaders_.look();
     if (loading_.doing() != session_.loading) break; // to be said
   }
 }
@@ -46,6 +48,8 @@ void Application::frame() {
   if (settling_ > 0) --settling_;
   take_loaded();
   take_truth();
+  shaders_.look();
+  take_shaders();
   for (const std::string& path : window_->take_dropped())
     open(path);
   session_.loading = loading_.doing();
@@ -61,16 +65,14 @@ void Application::frame() {
     width_ = wanted_width, height_ = wanted_height;
     session_.requests.camera |= session_.scene != nullptr;
   }
+  inspect();
   draw_panels(session_, commands_.methods, window_->scale());
   const auto now = Clock::now();
   take_input(session_, {width, io.DisplaySize.y}, window_->take_keys(), window_->take_drags(),
              std::chrono::duration<double>(now - last_frame_).count());
   last_frame_ = now;
   carry_out();
-  if (session_.scene) {
-    draw_picture();
-    draw_second();
-  }
+  if (session_.scene && !broken_) draw();
   run_truth();
   const gpu::TextureRef shown = compose();
   window_->present(shown);

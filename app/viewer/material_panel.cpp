@@ -67,7 +67,7 @@ public:
   void colour() { color("colour", "color", shown_.base_color); }
 
   void glass() {
-    number("IOR", "ior", shown_.ior, 1.0f, 2.6f, "%.3f");
+    number("IOR", "ior", shown_.ior, 0.25f, 4.0f, "%.3f");
     number("dispersion", "dispersion", shown_.dispersion, 0.0f, 2.0f, "%.3f");
     if (!lets_light_in()) return;
     float thickness = shown_.thickness;

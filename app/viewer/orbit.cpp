@@ -26,6 +26,7 @@ glm::vec3 turned(const glm::vec3& v, const glm::vec3& axis, float angle) {
 
 // The height of the plane through the target that the picture shows.
 float height_at_target(const Place& place) {
+  if (place.ortho > 0.0f) return place.ortho;
   return 2.0f * std::tan(0.5f * glm::radians(place.fovy)) * glm::length(place.eye - place.target);
 }
 
@@ -38,7 +39,10 @@ Place place_of(const scene::Camera& camera, const scene::Bounds& bounds) {
   const float radius = bounds.empty() ? 1.0f : bounds.radius();
   float distance = std::max(glm::dot(centre - eye, forward), 0.05f * radius);
   if (!(distance > 0.0f)) distance = 1.0f;
-  Place place{.eye = eye, .target = eye + distance * forward, .fovy = glm::degrees(camera.fovy)};
+  Place place{.eye = eye,
+              .target = eye + distance * forward,
+              .fovy = glm::degrees(camera.fovy),
+              .ortho = camera.orthographic ? 2.0f * camera.magnification.y : 0.0f};
   // Level cameras turn about the vertical; tilted ones about their own up.
   const glm::vec3 right = camera.world[0];
   const bool level = std::abs(right.y) < 1e-3f && up.y > 0.0f && std::abs(forward.y) < 0.999f;
@@ -75,6 +79,18 @@ void dolly(Place& place, float factor, const glm::vec2& cursor, float radius) {
   const glm::vec3 point = height_at_target(place) * (cursor.x * axes.x - cursor.y * axes.y);
   place.target += (1.0f - real) * point;
   place.eye = place.target + wanted * axes.z;
+  place.ortho *= real;
+}
+
+void set_orthographic(Place& place, bool on) {
+  if (on == (place.ortho > 0.0f)) return;
+  if (on) {
+    place.ortho = height_at_target(place);
+    return;
+  }
+  const glm::vec3 z = axes_of(place).z;
+  place.eye = place.target + 0.5f * place.ortho / std::tan(0.5f * glm::radians(place.fovy)) * z;
+  place.ortho = 0.0f;
 }
 
 void frame(Place& place, const scene::Bounds& bounds, float aspect) {
@@ -86,6 +102,7 @@ void frame(Place& place, const scene::Bounds& bounds, float aspect) {
   const float narrow = std::min(half, std::atan(std::tan(half) * aspect));
   place.target = bounds.centre();
   place.eye = place.target + (radius / std::sin(narrow)) * axes.z;
+  if (place.ortho > 0.0f) place.ortho = 2.0f * radius / std::min(aspect, 1.0f);
 }
 
 void look_from(Place& place, Side side) {

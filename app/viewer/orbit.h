@@ -21,6 +21,8 @@ void pan(Place& place, const glm::vec2& heights);
 void dolly(Place& place, float factor, const glm::vec2& cursor, float radius);
 // The whole of the bounds in the picture, seen from the same side.
 void frame(Place& place, const scene::Bounds& bounds, float aspect);
+// Orthographic or perspective, with what is at the target as large as before.
+void set_orthographic(Place& place, bool on);
 // From +Z (front), +X (right), +Y (top), or their opposites.
 enum class Side { front, back, right, left, top, bottom };
 void look_from(Place& place, Side side);

@@ -56,10 +56,17 @@ void draw_camera_panel(Session& session) {
     ImGui::EndCombo();
   }
   float fovy = session.view.place ? session.view.place->fovy : glm::degrees(session.camera.fovy);
-  if (ImGui::SliderFloat("field of view", &fovy, 5.0f, 120.0f, "%.1f deg",
-                         ImGuiSliderFlags_AlwaysClamp)) {
+  if (!session.camera.orthographic
+      && ImGui::SliderFloat("field of view", &fovy, 5.0f, 120.0f, "%.1f deg",
+                            ImGuiSliderFlags_AlwaysClamp)) {
     if (!session.view.place) session.view.place = place_of(session.camera, session.scene->bounds);
     session.view.place->fovy = fovy;
+    session.requests.camera = true;
+  }
+  bool flat = session.camera.orthographic;
+  if (ImGui::Checkbox("orthographic (5)", &flat)) {
+    if (!session.view.place) session.view.place = place_of(session.camera, session.scene->bounds);
+    set_orthographic(*session.view.place, flat);
     session.requests.camera = true;
   }
   if (ImGui::Button("Frame all")) session.requests.frame_all = true;
@@ -148,22 +155,37 @@ void draw_save_panel(Session& session) {
 }
 
 void draw_pass_table(Session& session) {
+  constexpr double mib = 1048576.0;
   double total = 0.0;
-  for (const auto& [label, ms] : session.pass_ms)
-    total += ms;
-  if (ImGui::BeginTable("passes", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
-    for (const auto& [label, ms] : session.pass_ms) {
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(label.c_str());
-      ImGui::TableNextColumn();
-      ImGui::Text("%7.2f ms", ms);
+  const auto row = [](const std::string& label, double ms, const std::string& draws,
+                      const std::string& bytes) {
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(label.c_str());
+    ImGui::TableNextColumn();
+    ImGui::Text("%.2f", ms);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(draws.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(bytes.c_str());
+  };
+  if (ImGui::BeginTable("passes", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
+    for (const char* title : {"pass", "ms", "draws", "MiB"})
+      ImGui::TableSetupColumn(title);
+    ImGui::TableHeadersRow();
+    for (const Session::PassRow& pass : session.passes) {
+      const auto ms = session.pass_ms.find(pass.label);
+      const double taken = ms == session.pass_ms.end() ? 0.0 : ms->second;
+      total += taken;
+      row(pass.passes > 1 ? fmt::format("{} x {}", pass.label, pass.passes) : pass.label, taken,
+          pass.draws ? std::to_string(pass.draws) : "",
+          fmt::format("{:.1f}", static_cast<double>(pass.bytes) / mib));
     }
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted("all");
-    ImGui::TableNextColumn();
-    ImGui::Text("%7.2f ms", total);
+    row("all", total, "", "");
     ImGui::EndTable();
   }
+  for (const needs::FeatureUse& feature : session.features)
+    ImGui::Text("%s: %zu draw%s", feature.name.c_str(), feature.draws,
+                feature.draws == 1 ? "" : "s");
   ImGui::Text("%.1f MiB on the device", static_cast<double>(session.device_bytes) / 1048576.0);
 }
 
@@ -208,6 +230,20 @@ void draw_message(Session& session, float scale) {
   ImGui::End();
 }
 
+void draw_shader_message(const Session& session, float scale) {
+  if (session.shader_message.empty()) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const float right = io.DisplaySize.x - panel_width(session, scale);
+  ImGui::SetNextWindowPos({0.5f * right, 0.5f * io.DisplaySize.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({0.9f * right, 0.0f});
+  ImGui::Begin("shaders", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize
+                   | ImGuiWindowFlags_NoInputs);
+  ImGui::TextUnformatted("A shader does not compile; the picture is still of the one before:");
+  ImGui::TextWrapped("%s", session.shader_message.c_str());
+  ImGui::End();
+}
+
 } // namespace
 
 void set_up_panels(float scale) {
@@ -234,6 +270,8 @@ float panel_width(const Session& session, float scale) {
 void draw_panels(Session& session, const std::vector<std::string>& methods, float scale) {
   draw_status(session, scale);
   draw_message(session, scale);
+  draw_shader_message(session, scale);
+  draw_inspector(session, scale);
   if (!session.panel) return;
   const ImGuiIO& io = ImGui::GetIO();
   const float width = panel_width(session, scale);
@@ -252,6 +290,7 @@ void draw_panels(Session& session, const std::vector<std::string>& methods, floa
     if (ImGui::CollapsingHeader("Camera")) draw_camera_panel(session);
     if (ImGui::CollapsingHeader("Picture")) draw_quality_panel(session, methods);
     if (ImGui::CollapsingHeader("Copy and save")) draw_save_panel(session);
+    ImGui::Checkbox("inspect lobes under the cursor (I)", &session.inspector);
     session.pass_table = ImGui::CollapsingHeader("Passes");
     if (session.pass_table) draw_pass_table(session);
   }

@@ -15,5 +15,6 @@ void draw_panels(Session& session, const std::vector<std::string>& methods, floa
 
 void draw_material_panel(Session& session);
 void draw_truth_panel(Session& session, const std::vector<std::string>& methods);
+void draw_inspector(const Session& session, float scale);
 
 } // namespace gg::viewer

@@ -55,11 +55,12 @@ Ray ray_through(const scene::Camera& camera, const glm::vec2& point, float aspec
   return {eye, glm::normalize(clip.x * tangent * aspect * x + clip.y * tangent * y - z)};
 }
 
-std::optional<Picked> pick(const scene::Scene& scene, const Ray& ray) {
+std::optional<Picked> pick(const scene::Scene& scene, const Ray& ray, const Sought& sought) {
   std::optional<Picked> nearest;
   float distance = INFINITY;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const scene::Instance& instance = scene.instances[i];
+    if (sought.instance != scene::none && sought.instance != static_cast<scene::Index>(i)) continue;
     const glm::mat4 inverse = glm::inverse(instance.world);
     // The direction is not normalised: distances along it stay those of the world.
     const Ray local{glm::vec3(inverse * glm::vec4(ray.origin, 1.0f)),
@@ -78,7 +79,8 @@ std::optional<Picked> pick(const scene::Scene& scene, const Ray& ray) {
         const auto at = hit(local, a, b, c);
         if (!at || *at >= distance) continue;
         const glm::vec3 facing = glm::cross(b - a, c - a);
-        if (!material.double_sided && glm::dot(facing, local.direction) > 0.0f) continue;
+        const bool behind = glm::dot(facing, local.direction) > 0.0f;
+        if (sought.back_faces ? !behind : behind && !material.double_sided) continue;
         distance = *at;
         nearest =
             Picked{static_cast<scene::Index>(i),

@@ -18,9 +18,13 @@ struct Picked {
   float distance = 0.0f;
   glm::vec3 position{0.0f}, normal{0.0f}; // of the triangle, towards its front
 };
+struct Sought {
+  scene::Index instance = scene::none; // of this one alone
+  bool back_faces = false; // triangles seen from behind, instead of those that the picture shows
+};
 // The nearest triangle along the ray, culled as the picture culls. Looks at every triangle of the boxes that it meets: some
 // milliseconds for a million.
-std::optional<Picked> pick(const scene::Scene& scene, const Ray& ray);
+std::optional<Picked> pick(const scene::Scene& scene, const Ray& ray, const Sought& sought = {});
 
 // Of one instance, in the world.
 scene::Bounds bounds_of(const scene::Scene& scene, scene::Index instance);

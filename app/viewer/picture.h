@@ -31,6 +31,11 @@ public:
   // is worked out for the whole scene with it.
   void set(frame::FrameDesc desc, bool exact);
 
+  // Shaders have changed: the next set() compiles what it draws with.
+  void forget_pipelines() {
+    if (renderer_) renderer_->forget_pipelines();
+  }
+
   bool is_open() const { return renderer_ != nullptr; }
   int drawn() const { return drawn_; }
   bool done() const { return renderer_ && drawn_ >= desc_.samples; }

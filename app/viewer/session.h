@@ -1,7 +1,9 @@
 // What the viewer shows and what its panels ask for. Data only: panels and input change it, the viewer carries it out.
 #pragma once
 
+#include "needs/words.h"
 #include "viewer/history.h"
+#include "viewer/inspector.h"
 #include "viewer/orbit.h"
 #include "viewer/pace.h"
 #include "viewer/picking.h"
@@ -42,6 +44,7 @@ struct Session {
   History history;
   std::string loading;             // a file that is being read
   std::string message;             // what went wrong, until it is closed
+  std::string shader_message;      // the compiler's, until it has nothing to say
   std::string said;                // what was done last, for the status line
   std::vector<std::string> recent; // scenes, the last first
 
@@ -53,6 +56,13 @@ struct Session {
   double frame_ms = 0.0, scale = 1.0; // of the last quick picture
   bool pass_table = false;
   std::map<std::string, double> pass_ms; // of the last sample, while the table is open
+  // As `groundglass needs` says it; passes of one label together.
+  struct PassRow {
+    std::string label;
+    std::size_t passes = 0, draws = 0, bytes = 0; // bytes: of what it writes
+  };
+  std::vector<PassRow> passes;
+  std::vector<needs::FeatureUse> features;
   std::size_t device_bytes = 0;
   std::string device;
 
@@ -64,6 +74,11 @@ struct Session {
   std::optional<glm::vec2> wiping; // where the drag began that moves it
   bool flicker = false;            // the key that shows it alone is held
   std::shared_ptr<const TruthRun::Report> report;
+
+  bool inspector = false;
+  std::optional<glm::vec2> cursor; // where it was last over the picture, 0..1 from its top left
+  std::optional<glm::vec2> inspected_at; // in the cursor's place, until that moves
+  std::optional<Inspection> inspected;
 
   Requests requests;
 };

@@ -21,6 +21,8 @@ namespace gg::viewer {
 struct Place {
   glm::vec3 eye{0.0f, 0.0f, 3.0f}, target{0.0f}, up{0.0f, 1.0f, 0.0f};
   float fovy = 45.0f;
+  float ortho =
+      0.0f; // metres: the height of what an orthographic camera sees; 0: the camera is perspective
   bool operator==(const Place&) const = default;
 };
 

@@ -38,11 +38,14 @@ Application::Application(const Settings& settings, const Commands& commands)
     : settings_(settings), commands_(commands), window_(gpu::create_window(settings.window)),
       picture_(std::make_unique<Picture>(window_->device())),
       display_(std::make_unique<DisplayPass>(window_->device())),
-      loading_(commands, [this] { window_->wake(); }), truth_([this] { window_->wake(); }) {
+      loading_(commands, [this] { window_->wake(); }), truth_([this] { window_->wake(); }),
+      shaders_(settings.window.backend, [this] { window_->wake(); }) {
   session_.view = settings.view;
   session_.panel = settings.panel;
   session_.frames_per_second = settings.frames_per_second;
   session_.truth = settings.truth > 0;
+  session_.inspector = settings.inspect.has_value();
+  session_.inspected_at = settings.inspect;
   session_.comparing = comparing_of(settings.comparing);
   session_.device = window_->device().info().name;
   set_up_panels(window_->scale());
@@ -138,6 +141,7 @@ void Application::screenshot() {
     settling_ = 3;
   }
   window_->begin_frame();
+  inspect();
   draw_panels(session_, commands_.methods, window_->scale());
   std::vector<std::byte> shown;
   const int width = window_->width(), height = window_->height();

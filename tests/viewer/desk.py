@@ -52,11 +52,15 @@ class Desk:
 
 
 class Viewer:
-    def __init__(self, desk, program, arguments, size=(960, 600)):
+    def __init__(self, desk, program, arguments, size=(960, 600), home=None, layers=None):
         self.desk, self.program = desk, program
         # Not the user's caches, but kept: compiled shaders serve the next test.
         cache = Path(program).parent / "tests/viewer/cache"
         environment = dict(os.environ, DISPLAY=desk.name, XDG_CACHE_HOME=str(cache))
+        if home:
+            environment["GROUNDGLASS_HOME"] = str(home)
+        if layers:
+            environment["VK_INSTANCE_LAYERS"] = layers
         self.process = subprocess.Popen(
             [program, "view", *arguments, "--size", f"{size[0]}x{size[1]}"], cwd=desk.path, env=environment,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=(desk.path / "stderr").open("w"))

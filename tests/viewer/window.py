@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The viewer as a user has it, on a display without a screen: tests/viewer/window.py PROGRAM NAME"""
+"""The viewer as a user has it, on a display without a screen: tests/viewer/window.py PROGRAM BACKEND NAME"""
 import shlex
 import shutil
 import subprocess
@@ -12,12 +12,12 @@ from desk import PATIENCE, Desk, Viewer, distance, option, vector
 SOURCE = Path(__file__).resolve().parents[2]
 SCENE = str(SOURCE / "assets/scenes/slabs-0.2.glb")
 SMALL = ["--samples", "2", "--fps", "5"]
-PROGRAM = ""
+PROGRAM, BACKEND = "", ""
 ALPHA_ROW = 199  # of the slider, in a window with the panel as it begins
 
 
 def viewer(desk, *arguments, scene=SCENE, **rest):
-    return Viewer(desk, PROGRAM, [scene, *SMALL, *arguments], **rest)
+    return Viewer(desk, PROGRAM, [scene, "--backend", BACKEND, *SMALL, *arguments], **rest)
 
 
 def colours(desk, left, top, right, bottom):
@@ -146,12 +146,79 @@ def a_file_that_changes_is_read_again():
             assert v.close() == 0, v.errors()
 
 
+def a_saved_shader_is_compiled_and_its_error_shown():
+    # Of a copy of the program's own files: shaders are found beside assets.
+    with Desk() as desk:
+        home = desk.path / "home"
+        shutil.copytree(SOURCE / "shaders", home / "shaders")
+        (home / "assets").symlink_to(SOURCE / "assets")
+        with viewer(desk, "--no-panel", "--tonemap", "none", size=(320, 240), home=home).open() as v:
+            sky = lambda: desk.screen()[20][20]
+            v.wait_for(lambda: sky() != (0, 0, 0), "a picture")
+            time.sleep(2.0)
+            stage = home / "shaders/stages/display.frag"
+            text = stage.read_text()
+            before = colours(desk, 10, 10, 310, 60)
+            stage.write_text(text.replace("outColor = vec4(color, 1.0);", "outColor = vec4(colour, 1.0);"))
+            # The message lies over the middle of the picture, on the panels' dark ground; the picture stays.
+            dark = lambda: any(max(p) < 40 for p in colours(desk, 30, 118, 290, 122))
+            v.wait_for(dark, "the compiler's message")
+            assert colours(desk, 10, 10, 310, 60) == before
+            stage.write_text(text.replace("outColor = vec4(color, 1.0);", "outColor = vec4(1.0, 0.0, 1.0, 1.0);"))
+            v.wait_for(lambda: colours(desk, 10, 10, 310, 60) == {(255, 0, 255)}, "the new shader")
+            assert v.close() == 0, v.errors()
+
+
+def the_lobes_under_the_cursor_are_shown():
+    with Desk() as desk, viewer(desk, "--no-panel", size=(640, 480)).open() as v:
+        v.rest()
+        before = desk.screen()
+        v.move(320, 240)
+        v.key("i")
+        # Its panel lies at the top left, with the colours of its curves.
+        v.wait_for(lambda: (255, 170, 60) in colours(desk, 8, 8, 250, 400), "the reflected lobe")
+        v.key("i")
+        v.wait_for(lambda: desk.screen()[100][100] == before[100][100], "the picture alone")
+        assert v.close() == 0, v.errors()
+
+
+def an_orthographic_view_is_copied():
+    with Desk() as desk, viewer(desk).open() as v:
+        v.rest()
+        v.key("5")
+        line = v.copied_when(lambda line: option(line, "--ortho"), "the camera stayed perspective")
+        assert float(option(line, "--ortho")[0]) > 0 and not option(line, "--fovy")
+        words = shlex.split(line)
+        subprocess.run([PROGRAM, *words[1:]], cwd=desk.path, check=True, stdout=subprocess.DEVNULL)
+        v.key("5")
+        v.copied_when(lambda line: not option(line, "--ortho"), "the camera stayed orthographic")
+        assert v.close() == 0, v.errors()
+
+
+def validation_is_silent():
+    # The layer speaks on standard output where nobody listens to it.
+    with Desk() as desk, viewer(desk, size=(640, 480), layers="VK_LAYER_KHRONOS_validation").open() as v:
+        for width in (700, 500, 640):
+            v.window.configure(width=width, height=480)
+            desk.display.sync()
+            v.rest()
+        v.click(160, 240)
+        v.key("t")
+        v.rest()
+        line = v.copied()
+        assert line.startswith("groundglass capture"), line
+        assert v.close() == 0, v.errors()
+        said = v.buffer + v.process.stdout.read().decode()
+        assert "alidation" not in said + v.errors(), said + v.errors()
+
+
 def without_a_display_it_says_what_to_do():
-    finished = subprocess.run([PROGRAM, "view"], env={"PATH": "/usr/bin"}, capture_output=True, text=True)
+    finished = subprocess.run([PROGRAM, "view", "--backend", BACKEND], env={"PATH": "/usr/bin"}, capture_output=True, text=True)
     assert finished.returncode == 6, finished
     assert "capture" in finished.stderr
 
 
 if __name__ == "__main__":
     PROGRAM = str(Path(sys.argv[1]).resolve())
-    globals()[sys.argv[2]]()
+    BACKEND = sys.argv[2]
+    globals()[sys.argv[3]]()

@@ -12,7 +12,7 @@
 namespace gg::gpu::opengl {
 
 GlWindow::GlWindow(const WindowDesc& desc)
-    : window_(desc, true), context_(std::make_shared<Context>(window_.context(), desc.debug)) {
+    : DesktopWindow(desc, true), context_(std::make_shared<Context>(window_.context(), desc.debug)) {
   device_ = std::make_unique<GlDevice>(context_,
                                        DeviceInfo{.index = -1,
                                                   .backend = "opengl",
@@ -69,12 +69,6 @@ void GlWindow::present(const TextureRef& picture, std::vector<std::byte>* shown)
   gl.Enable(GL_FRAMEBUFFER_SRGB);
   context_->check("showing the window");
   glfwSwapBuffers(window_.handle());
-}
-
-void* GlWindow::panel_texture(const TextureRef& texture) {
-  GlTexture& shown = of(texture, "a panel");
-  context_->make_visible(shown.written);
-  return reinterpret_cast<void*>(static_cast<std::uintptr_t>(shown.name));
 }
 
 std::unique_ptr<Window> create_window(const WindowDesc& desc) {

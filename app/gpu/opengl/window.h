@@ -3,40 +3,20 @@
 
 #include "gpu/opengl/context.h"
 #include "gpu/opengl/device.h"
-#include "gpu/surface/glfw_window.h"
-#include "gpu/window.h"
+#include "gpu/surface/desktop_window.h"
 
 namespace gg::gpu::opengl {
 
-class GlWindow final : public Window {
+class GlWindow final : public surface::DesktopWindow {
 public:
   explicit GlWindow(const WindowDesc& desc);
   ~GlWindow() override;
 
   Device& device() override { return *device_; }
-  int width() const override { return window_.width(); }
-  int height() const override { return window_.height(); }
-  float scale() const override { return window_.scale(); }
-  bool should_close() const override { return glfwWindowShouldClose(window_.handle()); }
-  void close() override { glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE); }
-  void set_title(const std::string& title) override {
-    glfwSetWindowTitle(window_.handle(), title.c_str());
-  }
-  bool is_full_screen() const override { return window_.is_full_screen(); }
-  void set_full_screen(bool on) override { window_.set_full_screen(on); }
-  void poll_events() override { window_.poll(); }
-  void wait_events(double seconds) override { window_.wait(seconds); }
-  void wake() override { glfwPostEmptyEvent(); }
-  std::uint64_t event_count() const override { return window_.event_count(); }
-  std::vector<KeyPress> take_keys() override { return window_.take_keys(); }
-  std::vector<Drag> take_drags() override { return window_.take_drags(); }
-  std::vector<std::string> take_dropped() override { return window_.take_dropped(); }
   void begin_frame() override;
   void present(const TextureRef& picture, std::vector<std::byte>* shown) override;
-  void* panel_texture(const TextureRef& texture) override;
 
 private:
-  surface::GlfwWindow window_;
   ContextRef context_;
   std::unique_ptr<GlDevice> device_;
 };

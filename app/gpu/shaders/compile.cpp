@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "gpu/shaders/includes.h"
+#include "gpu/shaders/module_cache.h"
 
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
@@ -138,6 +139,19 @@ struct Modules {
       });
     return module;
   }
+
+  void replace(const std::map<fs::path, ModuleRef>& fresh, Backend backend) {
+    const std::lock_guard lock(mutex);
+    for (const auto& [file, module] : fresh) {
+      std::promise<ModuleRef> made;
+      made.set_value(module);
+      known[{file, backend}] = made.get_future();
+    }
+    // What is compiled for another API is of the text before.
+    std::erase_if(known, [&](const auto& one) {
+      return one.first.second != backend && fresh.contains(one.first.first);
+    });
+  }
 };
 
 Modules& modules() {
@@ -154,6 +168,24 @@ Stage stage_of(const fs::path& file) {
   if (extension == ".comp") return Stage::compute;
   throw Error(ExitCode::internal, file,
               "is not a stage: its name ends in none of .vert .frag .comp");
+}
+
+int recompile_changed(Backend backend) {
+  std::map<fs::path, ModuleRef> fresh;
+  std::map<fs::path, std::string> hashes;
+  for (const fs::directory_entry& entry : fs::directory_iterator(stage_path(""))) {
+    const fs::path& file = entry.path();
+    const std::string extension = file.extension().string();
+    if (extension != ".vert" && extension != ".frag" && extension != ".comp") continue;
+    const std::string known = text_hash(file), now = text_hash_on_disk(file);
+    if (now == known) continue;
+    hashes[file] = now;
+    fresh[file] = std::make_shared<const Module>(
+        build(display_name(file), file, stage_of(file), read_text(file), backend));
+  }
+  modules().replace(fresh, backend);
+  remember_text_hashes(hashes);
+  return static_cast<int>(fresh.size());
 }
 
 void keep_modules() {

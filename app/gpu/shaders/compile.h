@@ -26,6 +26,11 @@ namespace gg::gpu::shaders {
 // cannot be read.
 std::shared_ptr<const Module> compile(std::string_view stage_file, Backend backend);
 
+// Compiles every stage again whose text on disk, with what it includes, is no longer what was compiled; pipelines that are linked
+// from then on are of the new text. Throws as compile() of the first that fails: all stages are as before then. Returns how many
+// were compiled; the first call compares with the text that it finds. Safe on any thread.
+int recompile_changed(Backend backend);
+
 // Builds what compile() keeps for the life of the process: a static whose threads compile is made after it, and so ends before it.
 void keep_modules();
 

@@ -80,14 +80,6 @@ Texts& texts() {
   return all;
 }
 
-// Read once in the life of the process, as compile() does.
-std::string text_hash(const fs::path& file) {
-  const std::lock_guard lock(texts().mutex);
-  std::string& text = texts().hashes[file];
-  if (text.empty()) text = HashedText(file).hash();
-  return text;
-}
-
 std::optional<fs::path> folder() {
   auto directory = cache_directory();
   if (directory) *directory /= "shaders";
@@ -111,6 +103,23 @@ void forget_oldest(const fs::path& directory) {
 }
 
 } // namespace
+
+std::string text_hash(const fs::path& file) {
+  const std::lock_guard lock(texts().mutex);
+  std::string& text = texts().hashes[file];
+  if (text.empty()) text = HashedText(file).hash();
+  return text;
+}
+
+std::string text_hash_on_disk(const fs::path& file) {
+  return HashedText(file).hash();
+}
+
+void remember_text_hashes(const std::map<fs::path, std::string>& hashes) {
+  const std::lock_guard lock(texts().mutex);
+  for (const auto& [file, hash] : hashes)
+    texts().hashes[file] = hash;
+}
 
 void keep_keys() {
   texts();

@@ -4,6 +4,8 @@
 #include "gpu/device.h"
 #include "gpu/shaders/module.h"
 
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +15,12 @@ namespace gg::gpu::shaders {
 
 // The same for the keys, as keep_modules().
 void keep_keys();
+
+// Of a stage's text with every file that it may include: as it was when it was first asked for, or remembered since; and as it is
+// now. Throws Error(input) if a file cannot be read.
+std::string text_hash(const std::filesystem::path& file);
+std::string text_hash_on_disk(const std::filesystem::path& file);
+void remember_text_hashes(const std::map<std::filesystem::path, std::string>& hashes);
 
 // What a specialised module depends on: the stage's text with every file that it may include, the constants, the API, and the
 // versions of the compilers. Nothing if a file cannot be read, or if there is no cache directory.

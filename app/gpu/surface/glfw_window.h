@@ -4,6 +4,8 @@
 #include "gpu/surface/surface.h"
 #include "gpu/window.h"
 
+#define VK_NO_PROTOTYPES
+#include <vulkan/vulkan_core.h> // which GLFW's header looks for
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 

@@ -55,6 +55,7 @@ InstanceFunctions Library::functions(VkInstance instance) const {
 #define GG_VULKAN_LOAD(NAME)                                                                       \
   found.NAME = reinterpret_cast<PFN_vk##NAME>(get_(instance, "vk" #NAME));
   GG_VULKAN_DEBUG_FUNCTIONS(GG_VULKAN_LOAD)
+  GG_VULKAN_SURFACE_FUNCTIONS(GG_VULKAN_LOAD)
 #undef GG_VULKAN_LOAD
   return found;
 }
@@ -64,6 +65,10 @@ DeviceFunctions Library::functions(const InstanceFunctions& functions, VkDevice 
 #define GG_VULKAN_LOAD(NAME)                                                                       \
   require(found.NAME, functions.GetDeviceProcAddr(device, "vk" #NAME), #NAME, "the Vulkan driver");
   GG_VULKAN_DEVICE_FUNCTIONS(GG_VULKAN_LOAD)
+#undef GG_VULKAN_LOAD
+#define GG_VULKAN_LOAD(NAME)                                                                       \
+  found.NAME = reinterpret_cast<PFN_vk##NAME>(functions.GetDeviceProcAddr(device, "vk" #NAME));
+  GG_VULKAN_SWAPCHAIN_FUNCTIONS(GG_VULKAN_LOAD)
 #undef GG_VULKAN_LOAD
   return found;
 }

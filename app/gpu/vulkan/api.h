@@ -1,5 +1,5 @@
-// The Vulkan entry points that this room calls, found at run time: a machine without a Vulkan
-// loader runs the program and gets a message that says what to install.
+// The Vulkan entry points that this library calls, found at run time: a machine without a Vulkan driver gets a message that says what
+// to install. (Dear ImGui calls the loader itself.)
 #pragma once
 
 #define VK_NO_PROTOTYPES
@@ -30,6 +30,20 @@ namespace gg::gpu::vulkan {
   F(SetDebugUtilsObjectNameEXT)                                                                    \
   F(CmdBeginDebugUtilsLabelEXT)                                                                    \
   F(CmdEndDebugUtilsLabelEXT)
+
+// Of VK_KHR_surface and VK_KHR_swapchain: null where no window is drawn into.
+#define GG_VULKAN_SURFACE_FUNCTIONS(F)                                                             \
+  F(DestroySurfaceKHR)                                                                             \
+  F(GetPhysicalDeviceSurfaceSupportKHR)                                                            \
+  F(GetPhysicalDeviceSurfaceCapabilitiesKHR)                                                       \
+  F(GetPhysicalDeviceSurfaceFormatsKHR)                                                            \
+  F(GetPhysicalDeviceSurfacePresentModesKHR)
+#define GG_VULKAN_SWAPCHAIN_FUNCTIONS(F)                                                           \
+  F(CreateSwapchainKHR)                                                                            \
+  F(DestroySwapchainKHR)                                                                           \
+  F(GetSwapchainImagesKHR)                                                                         \
+  F(AcquireNextImageKHR)                                                                           \
+  F(QueuePresentKHR)
 
 #define GG_VULKAN_DEVICE_FUNCTIONS(F)                                                              \
   F(DestroyDevice)                                                                                 \
@@ -81,6 +95,12 @@ namespace gg::gpu::vulkan {
   F(BeginCommandBuffer)                                                                            \
   F(EndCommandBuffer)                                                                              \
   F(CmdPipelineBarrier2)                                                                           \
+  F(CreateRenderPass)                                                                              \
+  F(DestroyRenderPass)                                                                             \
+  F(CreateFramebuffer)                                                                             \
+  F(DestroyFramebuffer)                                                                            \
+  F(CmdBeginRenderPass)                                                                            \
+  F(CmdEndRenderPass)                                                                              \
   F(CmdBeginRendering)                                                                             \
   F(CmdEndRendering)                                                                               \
   F(CmdSetViewport)                                                                                \
@@ -108,9 +128,11 @@ namespace gg::gpu::vulkan {
 struct InstanceFunctions {
   GG_VULKAN_INSTANCE_FUNCTIONS(GG_VULKAN_MEMBER)
   GG_VULKAN_DEBUG_FUNCTIONS(GG_VULKAN_MEMBER)
+  GG_VULKAN_SURFACE_FUNCTIONS(GG_VULKAN_MEMBER)
 };
 struct DeviceFunctions {
   GG_VULKAN_DEVICE_FUNCTIONS(GG_VULKAN_MEMBER)
+  GG_VULKAN_SWAPCHAIN_FUNCTIONS(GG_VULKAN_MEMBER)
 };
 #undef GG_VULKAN_MEMBER
 
@@ -123,7 +145,7 @@ public:
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
 
-  // Throw Error(device) naming an entry point that is missing (those of VK_EXT_debug_utils may be).
+  // Throw Error(device) naming an entry point that is missing (those of extensions may be).
   InstanceFunctions functions(VkInstance instance) const;
   static DeviceFunctions functions(const InstanceFunctions& functions, VkDevice device);
 

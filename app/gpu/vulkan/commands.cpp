@@ -123,7 +123,7 @@ bool Commands::is_full() const {
   return context_.recording && slots_[current_]->staged >= staged_at_once;
 }
 
-void Commands::submit() {
+void Commands::submit(const Around& around) {
   if (!context_.recording) return;
   Slot& sent = slot();
   const DeviceFunctions& vk = context_.vk();
@@ -132,15 +132,24 @@ void Commands::submit() {
   const std::uint64_t value = context_.submitted + 1;
   const VkCommandBufferSubmitInfo buffer{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                          .commandBuffer = sent.commands};
-  const VkSemaphoreSubmitInfo signal{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-                                     .semaphore = context_.timeline(),
-                                     .value = value,
-                                     .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
+  const std::array signals{
+      VkSemaphoreSubmitInfo{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                            .semaphore = context_.timeline(),
+                            .value = value,
+                            .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT},
+      VkSemaphoreSubmitInfo{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                            .semaphore = around.signal,
+                            .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT}};
+  const VkSemaphoreSubmitInfo wait{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                   .semaphore = around.wait,
+                                   .stageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT};
   const VkSubmitInfo2 info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                           .waitSemaphoreInfoCount = around.wait ? 1u : 0u,
+                           .pWaitSemaphoreInfos = &wait,
                            .commandBufferInfoCount = 1,
                            .pCommandBufferInfos = &buffer,
-                           .signalSemaphoreInfoCount = 1,
-                           .pSignalSemaphoreInfos = &signal};
+                           .signalSemaphoreInfoCount = around.signal ? 2u : 1u,
+                           .pSignalSemaphoreInfos = signals.data()};
   check(vk.QueueSubmit2(context_.queue(), 1, &info, VK_NULL_HANDLE), "submitting");
   context_.submitted = value;
   sent.value = value;

@@ -31,6 +31,11 @@ struct HostBuffer {
   VkDeviceSize bytes = 0;
 };
 
+// What a submission waits for before it copies, and what it signals at its end; null: nothing.
+struct Around {
+  VkSemaphore wait = VK_NULL_HANDLE, signal = VK_NULL_HANDLE;
+};
+
 class Commands {
 public:
   explicit Commands(Context& context);
@@ -44,9 +49,9 @@ public:
   // Room in the open command buffer's slot.
   Staged stage(VkDeviceSize bytes);
 
-  void submit();        // what has been recorded, if anything
-  void finish();        // submit, and wait for all of it
-  bool is_full() const; // much is staged: better submit before staging more
+  void submit(const Around& around = {}); // what has been recorded, if anything
+  void finish();                          // submit, and wait for all of it
+  bool is_full() const;                   // much is staged: better submit before staging more
 
   double waited_ms = 0.0; // for the device, in open()
 

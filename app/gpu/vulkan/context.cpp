@@ -1,6 +1,9 @@
 #include "gpu/vulkan/context.h"
 
+#include <algorithm>
+#include <cstring>
 #include <limits>
+#include <vector>
 
 namespace gg::gpu::vulkan {
 
@@ -17,9 +20,29 @@ VkPhysicalDeviceFeatures optional_features(const VkPhysicalDeviceFeatures& has) 
   return on;
 }
 
-Context::Context(const DeviceDesc& desc) {
-  instance_ = std::make_unique<Instance>(desc.debug);
+namespace {
+
+bool makes_swapchains(const InstanceFunctions& vk, VkPhysicalDevice device) {
+  std::uint32_t count = 0;
+  vk.EnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr);
+  std::vector<VkExtensionProperties> extensions(count);
+  vk.EnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data());
+  return std::ranges::any_of(extensions, [](const VkExtensionProperties& extension) {
+    return std::strcmp(extension.extensionName, VK_KHR_SWAPCHAIN_EXTENSION_NAME) == 0;
+  });
+}
+
+} // namespace
+
+Context::Context(const DeviceDesc& desc, std::span<const char* const> windows) {
+  instance_ = std::make_unique<Instance>(desc.debug, "libvulkan.so.1", windows);
   adapter_ = choose(adapters(*instance_), desc.device);
+  if (!windows.empty()) {
+    adapter_.info.surface = "window";
+    if (!makes_swapchains(instance_->functions(), adapter_.handle))
+      throw Error(ExitCode::device, "window", adapter_.info.name + " does not draw into windows",
+                  "Choose another --device (groundglass devices lists them), or --backend opengl.");
+  }
   features_ = optional_features(adapter_.abilities.features);
 
   const float priority = 1.0f;
@@ -35,10 +58,13 @@ Context::Context(const DeviceDesc& desc) {
       .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES,
       .pNext = &features13,
       .timelineSemaphore = VK_TRUE};
+  const char* const swapchains = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
   const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                 .pNext = &features12,
                                 .queueCreateInfoCount = 1,
                                 .pQueueCreateInfos = &queue,
+                                .enabledExtensionCount = windows.empty() ? 0u : 1u,
+                                .ppEnabledExtensionNames = &swapchains,
                                 .pEnabledFeatures = &features_};
   const InstanceFunctions& functions = instance_->functions();
   check(functions.CreateDevice(adapter_.handle, &info, nullptr, &device_), "opening the device");

@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace gg::gpu::vulkan {
@@ -21,8 +22,8 @@ VkPhysicalDeviceFeatures optional_features(const VkPhysicalDeviceFeatures& has);
 
 class Context {
 public:
-  // Throws Error(device).
-  explicit Context(const DeviceDesc& desc);
+  // With `windows`, what Instance needs for them: it can make swapchains then. Throws Error(device).
+  explicit Context(const DeviceDesc& desc, std::span<const char* const> windows = {});
   ~Context(); // waits for the device
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;

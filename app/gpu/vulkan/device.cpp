@@ -174,6 +174,15 @@ void VulkanDevice::finish() {
   context_->instance().check_messages();
 }
 
+void VulkanDevice::submit(const std::function<void(VkCommandBuffer, Barriers&)>& record,
+                          const Around& around) {
+  const VkCommandBuffer commands = commands_.open();
+  transfers_.settle();
+  record(commands, barriers_);
+  commands_.submit(around);
+  context_->instance().check_messages();
+}
+
 std::unique_ptr<Device> create_device(const DeviceDesc& desc) {
   if (desc.surface != Surface::automatic)
     throw Error(ExitCode::usage, "--surface", "Vulkan draws without a surface",

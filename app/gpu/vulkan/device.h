@@ -12,6 +12,7 @@
 #include "gpu/vulkan/timers.h"
 #include "gpu/vulkan/transfers.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -25,6 +26,9 @@ public:
   const DeviceInfo& info() const override { return context_->adapter().info; }
   void run(std::span<const Pass> passes, std::vector<PassTime>* times) override;
   void finish() override;
+  // Records what a window adds behind all passes, and submits it.
+  void submit(const std::function<void(VkCommandBuffer, Barriers&)>& record,
+              const Around& around = {});
   std::size_t memory_bytes() const override { return context_->held_bytes; }
   DeviceCounters counters() const override { return context_->counters; }
 

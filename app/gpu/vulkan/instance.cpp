@@ -46,14 +46,15 @@ void stay_loaded(const Library& library, VkInstanceCreateInfo info) {
 
 } // namespace
 
-Instance::Instance(bool debug, const std::string& loader) : library_(loader) {
+Instance::Instance(bool debug, const std::string& loader, std::span<const char* const> windows)
+    : library_(loader) {
   std::uint32_t version = VK_API_VERSION_1_0;
   if (library_.EnumerateInstanceVersion) library_.EnumerateInstanceVersion(&version);
   if (version < VK_API_VERSION_1_1) // which a loader needs to accept applications of later versions
     throw Error(ExitCode::device, "vulkan", "the Vulkan loader is of version 1.0, too old",
                 "Update it (Debian, Ubuntu: libvulkan1), or choose --backend opengl");
 
-  std::vector<const char*> layers, extensions;
+  std::vector<const char*> layers, extensions(windows.begin(), windows.end());
   labels_ = has_extension(library_, nullptr, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   validated_ = debug && has_layer(library_, validation_layer);
   if (debug && !validated_)

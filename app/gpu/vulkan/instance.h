@@ -5,6 +5,7 @@
 
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,10 @@ namespace gg::gpu::vulkan {
 class Instance {
 public:
   // With `debug`, the Khronos validation layer is turned on (core and synchronization validation);
-  // a note says so if it is not installed. Throws Error(device) without a loader or a driver.
-  explicit Instance(bool debug, const std::string& loader = "libvulkan.so.1");
+  // a note says so if it is not installed. With `windows`, the extensions that windows of the display need. Throws Error(device)
+  // without a loader or a driver.
+  explicit Instance(bool debug, const std::string& loader = "libvulkan.so.1",
+                    std::span<const char* const> windows = {});
   ~Instance();
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;

@@ -1,0 +1,171 @@
+#include "viewer/inspector.h"
+
+#include "glsl/f64.h"
+#include "needs/features.h"
+#include "needs/tables.h"
+#include "tables/lookup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gg::viewer {
+namespace {
+
+namespace f64 = gg::glsl::f64;
+constexpr double pi = std::numbers::pi;
+
+// The reflectance of a material as a dielectric's or a metal's, of the mean of its channels.
+struct Reflector {
+  double eta = 1.5; // 0: a metal of n + i k
+  double n = 0.0, k = 0.0;
+  double at(double cosine) const {
+    return eta > 0.0 ? f64::fresnelDielectricAt(cosine, eta) : f64::fresnelConductor(cosine, n, k);
+  }
+};
+
+Reflector reflector_of(const scene::Material& m) {
+  const auto mean = [](const glm::vec3& v) { return static_cast<double>(v.x + v.y + v.z) / 3.0; };
+  if (m.conductor) return {.eta = 0.0, .n = mean(m.conductor->n), .k = mean(m.conductor->k)};
+  if (m.metallic >= 0.5f) {
+    // Of a colour at normal incidence alone: the real index that reflects as much.
+    const double root = std::sqrt(std::min(mean(glm::vec3(m.base_color)), 0.99));
+    return {.eta = 0.0, .n = (1.0 + root) / (1.0 - root), .k = 0.0};
+  }
+  return {.eta = static_cast<double>(m.ior)};
+}
+
+// From the viewer's side, who is at `incidence` to the left.
+f64::vec3 towards(double angle, double side) {
+  return {-std::sin(angle), 0.0, side * std::cos(angle)};
+}
+
+std::vector<LobeValue> exact_lobe(const f64::BsdfSurface& surface, double incidence,
+                                  bool correlated) {
+  constexpr int steps = 720; // a quarter of a degree
+  const f64::vec3 wo(std::sin(incidence), 0.0, std::cos(incidence)), n(0.0, 0.0, 1.0);
+  std::vector<LobeValue> values;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = pi * (static_cast<double>(i) / steps - 0.5);
+    const f64::vec3 wi = towards(angle, surface.transmits ? -1.0 : 1.0);
+    const f64::BsdfValues v = f64::bsdfValues(f64::bsdfFacet(wi, wo, n, surface), surface);
+    values.push_back({angle, correlated ? v.fCorrelated * std::abs(wi.z) : v.fCos});
+  }
+  return values;
+}
+
+InspectedLobe reflected_lobe(const tables::Model& model, const Reflector& reflects, int taps,
+                             double cosine, double alpha) {
+  InspectedLobe lobe;
+  const f64::LobeEnergy energy = tables::reflection_energy_at(model, cosine, alpha);
+  const double mean = f64::lobeMean(energy, reflects.at(energy.cos1), reflects.at(energy.cos2));
+  lobe.energy = energy.albedo * mean;
+  const double edge = f64::edgeShare(reflects.at(1.0), mean);
+  const f64::vec3 n(0.0, 0.0, 1.0), mirror(-std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+  for (int tap = 0; tap < taps; ++tap) {
+    const auto texel = tables::reflection_texel_at(model, tap, taps, cosine, alpha, edge);
+    const f64::vec3 direction = f64::lobeDirection(mirror, n, texel[0]);
+    lobe.fitted.push_back({std::atan2(-direction.x, direction.z), texel[1] * alpha, texel[2]});
+  }
+  return lobe;
+}
+
+InspectedLobe passing_lobe(const tables::Model& model, double eta, int taps, double cosine,
+                           double alpha) {
+  InspectedLobe lobe;
+  lobe.energy = tables::interface_energy_at(model, cosine, alpha, eta).transmitted;
+  for (int tap = 0; tap < taps; ++tap) {
+    const f64::InterfaceTap found = tables::interface_tap_at(model, tap, taps, cosine, alpha, eta);
+    lobe.fitted.push_back({found.angle, found.sigma, found.weight});
+  }
+  return lobe;
+}
+
+glm::dvec3 refracted(const glm::dvec3& towards, const glm::dvec3& normal, double eta) {
+  const f64::vec3 wi = f64::refractAbout(-towards, normal, eta);
+  return {wi.x, wi.y, wi.z};
+}
+
+// From where the ray enters to what it sees behind.
+Inspection::Exit exit_of(const scene::Scene& scene, const Picked& hit, const glm::dvec3& direction,
+                         double eta) {
+  Inspection::Exit exit;
+  const glm::dvec3 inside = refracted(direction, hit.normal, eta);
+  const Ray within{hit.position, glm::vec3(inside)};
+  const auto back = pick(scene, within, {.instance = hit.instance, .back_faces = true});
+  if (!back) {
+    exit.reflected = true;
+    return exit;
+  }
+  exit.length = static_cast<double>(back->distance);
+  exit.position = back->position;
+  const glm::dvec3 out = refracted(inside, -glm::dvec3(back->normal), 1.0 / eta);
+  if (out == glm::dvec3(0.0)) {
+    exit.reflected = true;
+    return exit;
+  }
+  // A little on, so that the face that it leaves by is behind.
+  const float step = 1e-4f * scene.bounds.radius();
+  const Ray behind{back->position + step * glm::vec3(out), glm::vec3(out)};
+  if (const auto met = pick(scene, behind)) {
+    exit.meets = met->instance;
+    exit.distance = static_cast<double>(met->distance + step);
+  }
+  return exit;
+}
+
+} // namespace
+
+double InspectedLobe::fit_at(double angle) const {
+  double sum = 0.0;
+  for (const FittedLobe& lobe : fitted) {
+    if (!(lobe.sigma > 0.0)) continue;
+    const double off = (angle - lobe.angle) / lobe.sigma;
+    sum += energy * lobe.weight * std::exp(-0.5 * off * off) / (2.0 * pi * lobe.sigma * lobe.sigma);
+  }
+  return sum;
+}
+
+std::optional<Inspection> inspect(const scene::Scene& scene, const Ray& ray, needs::Method method,
+                                  bool correlated_smith) {
+  const auto hit = pick(scene, ray);
+  if (!hit) return std::nullopt;
+  const scene::Material& material = scene.materials[static_cast<std::size_t>(hit->material)];
+  Inspection found;
+  found.instance = hit->instance;
+  found.material = hit->material;
+  // Below, a surface is smooth for the tables and for a plot of it.
+  constexpr double least_alpha = 1e-3;
+  found.alpha = static_cast<double>(scene::microfacet_alpha(material));
+  const double alpha = std::max(found.alpha, least_alpha);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(hit->normal)),
+                   direction = glm::normalize(glm::dvec3(ray.direction));
+  const double cosine = std::clamp(std::abs(glm::dot(normal, direction)), 1e-3, 1.0);
+  found.incidence = std::acos(cosine);
+  const Reflector reflects = reflector_of(material);
+  found.eta = reflects.eta;
+  found.fresnel = reflects.at(cosine);
+
+  const tables::Model model = needs::model_of(material, correlated_smith);
+  const bool correlated = model.smith == tables::Smith::correlated;
+  const int taps = std::max(needs::reflection_taps(method, model), 1);
+  f64::BsdfSurface surface{
+      false,
+      static_cast<int>(material.distribution),
+      material.distribution == scene::Distribution::phong ? f64::phongExponent(alpha) : alpha,
+      reflects.eta,
+      reflects.n,
+      reflects.k};
+  found.reflected = reflected_lobe(model, reflects, taps, cosine, alpha);
+  found.reflected.exact = exact_lobe(surface, found.incidence, correlated);
+  // An IOR of 1 bends nothing: no lobe.
+  if (!needs::is_refractive(material) || found.eta == 1.0) return found;
+  surface.transmits = true;
+  found.passes =
+      passing_lobe(model, found.eta, std::max(needs::interface_taps(method), 1), cosine, alpha);
+  found.passes.exact = exact_lobe(surface, found.incidence, correlated);
+  if (material.thickness > 0.0f) found.leaves = exit_of(scene, *hit, direction, found.eta);
+  return found;
+}
+
+} // namespace gg::viewer
