@@ -11,7 +11,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <sstream>
 
@@ -25,7 +27,7 @@ struct Options {
   std::string tonemap = "neutral";
   float exposure = 0.0f, scale = 0.0f;
   bool no_panel = false;
-  std::string inspect;
+  std::string inspect, debug_view;
   std::string json;          // where the times of --bench-orbit go
   viewer::Settings settings; // what has no counterpart elsewhere
 };
@@ -130,6 +132,15 @@ glm::vec2 parse_place(const std::string& text) {
   return at;
 }
 
+viewer::DebugKind parse_debug(const std::string& text) {
+  constexpr auto& names = viewer::debug_names;
+  const auto found = std::ranges::find(names, text);
+  if (found == std::end(names))
+    throw Error(ExitCode::usage, "--debug-view", "'" + text + "' is not known",
+                fmt::format("Choose one of: {}.", fmt::join(names, ", ")));
+  return static_cast<viewer::DebugKind>(found - std::begin(names));
+}
+
 void check(const Options& o) {
   if (o.method.samples < 1 || o.method.samples > 4096)
     throw Error(ExitCode::usage, "--samples", "must be from 1 to 4096");
@@ -175,6 +186,7 @@ void view(Options o) {
                    .exposure = o.exposure,
                    .tonemap = o.tonemap};
   settings.panel = !o.no_panel;
+  if (!o.debug_view.empty()) settings.debug = parse_debug(o.debug_view);
   if (!o.inspect.empty()) settings.inspect = parse_place(o.inspect);
   const bool without_hands = settings.bench_orbit > 0;
   settings.window = {.title = "Groundglass",
@@ -222,6 +234,9 @@ void add_view(Command program) {
                  "Write the finished window to this .png, and end");
   command.option("--pick", &settings.pick,
                  "With --screenshot-window: pick the object of this name");
+  command.option(
+      "--debug-view", &options->debug_view,
+      "In the picture's place: normals, depth, 'interior layers' or 'path length inside'");
   command.option("--inspect", &options->inspect,
                  "Show the lobes at this place of the picture, X,Y from 0,0, its top left, to 1,1");
   command.option("--truth", &settings.truth, "Begin with the truth, of so many samples per pixel");

@@ -36,10 +36,18 @@ void Execution::set(const Graph& graph, Context& context, Shared shared) {
   const Allocation allocation = allocate(graph);
   std::vector<gpu::TextureRef> earlier = std::move(textures_);
   textures_.clear();
+  earlier.insert(earlier.end(), spare_.begin(), spare_.end());
+  const bool same_size = graph.width == width_ && graph.height == height_;
+  width_ = graph.width, height_ = graph.height;
   for (const std::size_t target : allocation.first) {
     const gpu::TextureDesc desc = desc_of(graph.targets[target]);
-    const auto found = std::ranges::find_if(
-        earlier, [&](const gpu::TextureRef& texture) { return fits(texture->desc, desc); });
+    // Of the same name first: what is attached to what stays as it was.
+    auto found = std::ranges::find_if(earlier, [&](const gpu::TextureRef& texture) {
+      return texture->desc.label == desc.label && fits(texture->desc, desc);
+    });
+    if (found == earlier.end())
+      found = std::ranges::find_if(
+          earlier, [&](const gpu::TextureRef& texture) { return fits(texture->desc, desc); });
     if (found == earlier.end()) {
       textures_.push_back(device_.create(desc));
       continue;
@@ -47,6 +55,7 @@ void Execution::set(const Graph& graph, Context& context, Shared shared) {
     textures_.push_back(*found);
     earlier.erase(found);
   }
+  spare_ = same_size ? std::move(earlier) : std::vector<gpu::TextureRef>();
   texture_of_ = allocation.texture_of;
   context.draws.expect([&] {
     for (const Pass& pass : graph.passes)

@@ -19,7 +19,8 @@ public:
     std::function<void(gpu::Encoder&, int sample)> bind;
     std::vector<gpu::View> reads;
   };
-  // Textures of an earlier graph are kept where they fit. All arguments must outlive the passes.
+  // Textures of an earlier graph are kept where they fit, and for graphs to come while the picture keeps its size: what is seen, and
+  // with it what is drawn, changes with every turn of a camera. All arguments must outlive the passes.
   void set(const Graph& graph, Context& context, Shared shared);
 
   // Of the i-th sample of a frame.
@@ -35,7 +36,8 @@ private:
   gpu::SamplerRef nearest_, linear_;
   const Graph* graph_ = nullptr;
   Shared shared_;
-  std::vector<gpu::TextureRef> textures_;
+  std::vector<gpu::TextureRef> textures_, spare_;
+  int width_ = 0, height_ = 0;          // of the picture that they are for
   std::vector<std::size_t> texture_of_; // by target
   std::vector<Record> records_;         // by pass
 };

@@ -56,6 +56,7 @@ private:
   void run_truth();
   void take_truth();
   void take_shaders();
+  Beside debug_view();
   void inspect();
 
   const Settings& settings_;
@@ -66,6 +67,9 @@ private:
   std::unique_ptr<Picture> second_; // by the other method, while that is shown
   std::string second_method_;       // that it was drawn by; empty: it is of another view
   std::unique_ptr<DisplayPass> display_;
+  std::unique_ptr<DebugView> debug_; // of the scene, while one is shown
+  gpu::TextureRef debug_shown_;      // null: it is to be drawn
+  DebugKind debug_kind_ = DebugKind::picture;
   Loading loading_;
   TruthRun truth_;
   Pace pace_;

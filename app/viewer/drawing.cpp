@@ -63,6 +63,7 @@ void Application::restart(bool quick) {
   session_.scale = quick ? pace_.scale() : 1.0;
   picture_->set(frame_desc(session_.scale, quick ? 1 : session_.view.samples), !quick);
   display_->see(session_.camera, width_, height_);
+  debug_shown_.reset();
   stale_ = false;
   quick_ = quick;
   compared_ = false;
@@ -192,6 +193,7 @@ void Application::take_shaders() {
   second_.reset();
   second_method_.clear();
   display_ = std::make_unique<DisplayPass>(window_->device());
+  debug_.reset();
   outlined_.reset();
   session_.requests.quality = true;
 }
@@ -206,7 +208,21 @@ void Application::inspect() {
                                        session_.view.smith == "correlated");
 }
 
+Beside Application::debug_view() {
+  if (!debug_) debug_ = std::make_unique<DebugView>(window_->device());
+  if (!debug_shown_ || debug_kind_ != session_.debug) {
+    const DebugView::Drawn drawn =
+        debug_->draw(session_.debug, *session_.scene, session_.camera, width_, height_);
+    session_.debug_greatest = drawn.greatest;
+    debug_shown_ = upload(window_->device(), drawn.colours, "debug view");
+    debug_kind_ = session_.debug;
+  }
+  return {.texture = debug_shown_, .factor = 1.0f, .encoded = true, .from = 0.0f};
+}
+
 std::optional<Beside> Application::beside() {
+  if (session_.debug != DebugKind::picture && session_.scene && !session_.flicker && !stale_)
+    return debug_view();
   if (session_.truth && !second_method_.empty() && second_->drawn() > 0) {
     Beside shown{.texture = second_->texture(),
                  .factor = second_->factor() * std::exp2(session_.view.exposure),

@@ -161,6 +161,10 @@ void take_key(Session& session, const gpu::KeyPress& press) {
   case 'R':
     session.turntable = !session.turntable;
     return;
+  case 'V':
+    session.debug =
+        static_cast<DebugKind>((static_cast<int>(session.debug) + 1) % IM_ARRAYSIZE(debug_names));
+    return;
   case 'I':
     session.inspector = !session.inspector;
     return;
@@ -210,6 +214,7 @@ const char* help() {
          "F: frame all        . : frame what is picked\n"
          "1 3 7: front, right, top   (Ctrl: opposite)\n"
          "5: orthographic    I: lobes under the cursor\n"
+         "V: normals, depth, solids\n"
          "Arrows, + and -: orbit, dolly\n"
          "R: turntable        Ctrl+R: reload\n"
          "T: truth beside it  M: how it is shown\n"

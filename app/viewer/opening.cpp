@@ -85,7 +85,9 @@ void Application::adopt(Loading::Done done) {
     outlined_.reset();
     display_->pick(*session_.scene, scene::none);
     picture_->open(session_.scene);
-    second_.reset(); // it draws the scene before
+    debug_.reset(); // it draws the scene before
+    debug_shown_.reset();
+    second_.reset(); // and so does this
     second_method_.clear();
   }
   const Edits edits = session_.view.edits; // may be newer than the job's

@@ -189,6 +189,16 @@ void draw_pass_table(Session& session) {
   ImGui::Text("%.1f MiB on the device", static_cast<double>(session.device_bytes) / 1048576.0);
 }
 
+void draw_debug_panel(Session& session) {
+  int kind = static_cast<int>(session.debug);
+  if (ImGui::Combo("shows", &kind, debug_names, IM_ARRAYSIZE(debug_names)))
+    session.debug = static_cast<DebugKind>(kind);
+  if (session.debug == DebugKind::depth || session.debug == DebugKind::path_length)
+    ImGui::Text("black 0, yellow %.4g m", session.debug_greatest);
+  if (session.debug == DebugKind::interior_layers)
+    ImGui::Text("black 0, yellow %.0f", session.debug_greatest);
+}
+
 void draw_status(const Session& session, float scale) {
   const ImGuiIO& io = ImGui::GetIO();
   ImGui::SetNextWindowPos({8.0f * scale, io.DisplaySize.y - 8.0f * scale}, ImGuiCond_Always,
@@ -290,6 +300,7 @@ void draw_panels(Session& session, const std::vector<std::string>& methods, floa
     if (ImGui::CollapsingHeader("Camera")) draw_camera_panel(session);
     if (ImGui::CollapsingHeader("Picture")) draw_quality_panel(session, methods);
     if (ImGui::CollapsingHeader("Copy and save")) draw_save_panel(session);
+    draw_debug_panel(session);
     ImGui::Checkbox("inspect lobes under the cursor (I)", &session.inspector);
     session.pass_table = ImGui::CollapsingHeader("Passes");
     if (session.pass_table) draw_pass_table(session);

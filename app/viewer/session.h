@@ -2,6 +2,7 @@
 #pragma once
 
 #include "needs/words.h"
+#include "viewer/debug_view.h"
 #include "viewer/history.h"
 #include "viewer/inspector.h"
 #include "viewer/orbit.h"
@@ -74,6 +75,9 @@ struct Session {
   std::optional<glm::vec2> wiping; // where the drag began that moves it
   bool flicker = false;            // the key that shows it alone is held
   std::shared_ptr<const TruthRun::Report> report;
+
+  DebugKind debug = DebugKind::picture;
+  double debug_greatest = 0.0; // what the brightest colour of it stands for
 
   bool inspector = false;
   std::optional<glm::vec2> cursor; // where it was last over the picture, 0..1 from its top left

@@ -46,6 +46,7 @@ Application::Application(const Settings& settings, const Commands& commands)
   session_.truth = settings.truth > 0;
   session_.inspector = settings.inspect.has_value();
   session_.inspected_at = settings.inspect;
+  session_.debug = settings.debug;
   session_.comparing = comparing_of(settings.comparing);
   session_.device = window_->device().info().name;
   set_up_panels(window_->scale());

@@ -182,6 +182,20 @@ def the_lobes_under_the_cursor_are_shown():
         assert v.close() == 0, v.errors()
 
 
+def debug_views_are_shown():
+    # The slabs face the camera; their front is 5.9 m away and 0.12 m thick.
+    with Desk() as desk, viewer(desk, "--no-panel", "--debug-view", "normals", size=(640, 480)).open() as v:
+        near = lambda p, q: all(abs(a - b) <= 2 for a, b in zip(p, q))
+        facing = lambda: near(desk.screen()[240][100], (128, 128, 255))
+        v.wait_for(facing, "the normal of what faces the camera")
+        for _ in range(3): # depth, layers, length inside
+            v.key("v")
+        v.wait_for(lambda: desk.screen()[20][320] == (0, 0, 0) != desk.screen()[240][300], "the length in solids alone")
+        v.key("v")
+        v.wait_for(lambda: len(colours(desk, 10, 10, 600, 200)) > 100, "the picture")
+        assert v.close() == 0, v.errors()
+
+
 def an_orthographic_view_is_copied():
     with Desk() as desk, viewer(desk).open() as v:
         v.rest()

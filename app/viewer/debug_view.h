@@ -1,0 +1,45 @@
+// What a picture is made of, in the picture's place: normals, depth, and what solids the line of sight runs through.
+#pragma once
+
+#include "gpu/device.h"
+#include "image/image.h"
+#include "scene/scene.h"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gg::viewer {
+
+enum class DebugKind { picture, normals, depth, interior_layers, path_length };
+inline constexpr const char* debug_names[] = {"picture", "normals", "depth", "interior layers",
+                                              "path length inside"};
+
+class DebugView {
+public:
+  explicit DebugView(gpu::Device& device) : device_(device) {}
+
+  struct Drawn {
+    image::Image colours;  // for display
+    double greatest = 0.0; // what the brightest colour stands for: metres, or layers
+  };
+  // Straight along the line of sight, from outside of solids; meshes as the picture culls them. Any kind but picture.
+  Drawn draw(DebugKind kind, const scene::Scene& scene, const scene::Camera& camera, int width,
+             int height);
+
+private:
+  struct Mesh {
+    gpu::BufferRef positions, normals, indices;
+    std::uint32_t count = 0;
+  };
+  const Mesh& mesh(const scene::Scene& scene, const scene::Primitive& primitive);
+
+  gpu::Device& device_;
+  std::map<const scene::Primitive*, Mesh> meshes_;
+  gpu::PipelineRef surfaces_, sums_;
+  gpu::TextureRef values_, depth_;
+  gpu::BufferRef blocks_;
+};
+
+} // namespace gg::viewer
