@@ -12,7 +12,8 @@
 namespace gg::gpu::opengl {
 
 GlWindow::GlWindow(const WindowDesc& desc)
-    : DesktopWindow(desc, true), context_(std::make_shared<Context>(window_.context(), desc.debug)) {
+    : DesktopWindow(desc, true),
+      context_(std::make_shared<Context>(window_.context(), desc.debug)) {
   device_ = std::make_unique<GlDevice>(context_,
                                        DeviceInfo{.index = -1,
                                                   .backend = "opengl",
