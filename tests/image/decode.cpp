@@ -2,10 +2,10 @@
 #include "image/image.h"
 #include "image/samples.h"
 #include "support/errors.h"
+#include "support/jpeg.h"
 #include "support/scratch.h"
 
 #include <gtest/gtest.h>
-#include <jpeglib.h>
 #include <webp/encode.h>
 
 #include <cstdio>
@@ -41,36 +41,12 @@ std::vector<std::uint8_t> ramps(int width, int height, int channels) {
 
 Bytes jpeg(int width, int height, bool progressive, J_COLOR_SPACE space = JCS_RGB,
            const std::vector<jpeg_scan_info>& scans = {}) {
-  const int channels = space == JCS_CMYK ? 4 : 3;
-  std::vector<std::uint8_t> pixels = ramps(width, height, channels);
-  jpeg_compress_struct out{};
-  jpeg_error_mgr errors{};
-  out.err = jpeg_std_error(&errors);
-  jpeg_create_compress(&out);
-  unsigned char* data = nullptr;
-  unsigned long size = 0;
-  jpeg_mem_dest(&out, &data, &size);
-  out.image_width = static_cast<JDIMENSION>(width);
-  out.image_height = static_cast<JDIMENSION>(height);
-  out.input_components = channels;
-  out.in_color_space = space;
-  jpeg_set_defaults(&out);
-  jpeg_set_quality(&out, 95, TRUE);
-  if (progressive) jpeg_simple_progression(&out);
-  if (!scans.empty()) {
-    out.scan_info = scans.data();
-    out.num_scans = static_cast<int>(scans.size());
-  }
-  jpeg_start_compress(&out, TRUE);
-  while (out.next_scanline < out.image_height) {
-    JSAMPROW row = &pixels[out.next_scanline * static_cast<std::size_t>(width * channels)];
-    jpeg_write_scanlines(&out, &row, 1);
-  }
-  jpeg_finish_compress(&out);
-  jpeg_destroy_compress(&out);
-  const Bytes bytes = copy(data, size);
-  std::free(data);
-  return bytes;
+  return jpeg_of(ramps(width, height, space == JCS_CMYK ? 4 : 3),
+                 {.width = width,
+                  .height = height,
+                  .progressive = progressive,
+                  .space = space,
+                  .scans = scans});
 }
 
 Bytes webp(int width, int height, bool lossless) {

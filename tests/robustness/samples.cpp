@@ -2,13 +2,12 @@
 
 #include "core/files.h"
 #include "scene/grid.h"
+#include "support/jpeg.h"
 #include "support/scratch.h"
 
-#include <jpeglib.h>
 #include <webp/encode.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 
 namespace gg::test {
@@ -116,30 +115,7 @@ Bytes written(const char* extension) {
 }
 
 Bytes jpeg(bool progressive) {
-  std::vector<std::uint8_t> pixels = rgb(40, 30);
-  jpeg_compress_struct out{};
-  jpeg_error_mgr errors{};
-  out.err = jpeg_std_error(&errors);
-  jpeg_create_compress(&out);
-  unsigned char* data = nullptr;
-  unsigned long size = 0;
-  jpeg_mem_dest(&out, &data, &size);
-  out.image_width = 40;
-  out.image_height = 30;
-  out.input_components = 3;
-  out.in_color_space = JCS_RGB;
-  jpeg_set_defaults(&out);
-  if (progressive) jpeg_simple_progression(&out);
-  jpeg_start_compress(&out, TRUE);
-  while (out.next_scanline < out.image_height) {
-    JSAMPROW row = &pixels[out.next_scanline * std::size_t{120}];
-    jpeg_write_scanlines(&out, &row, 1);
-  }
-  jpeg_finish_compress(&out);
-  jpeg_destroy_compress(&out);
-  const Bytes bytes = copy(data, size);
-  std::free(data);
-  return bytes;
+  return jpeg_of(rgb(40, 30), {.quality = 75, .progressive = progressive});
 }
 
 Bytes webp(bool lossless) {

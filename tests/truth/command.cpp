@@ -28,6 +28,19 @@ std::string out(const char* name) {
   return scratch_directory() / name;
 }
 
+// The program at work, to be sent signals; -1 if there can be none.
+pid_t start(std::vector<std::string> words) {
+  words.insert(words.begin(), GROUNDGLASS_PROGRAM);
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  std::vector<char*> argv;
+  for (std::string& word : words)
+    argv.push_back(word.data());
+  argv.push_back(nullptr);
+  ::execv(GROUNDGLASS_PROGRAM, argv.data());
+  ::_exit(127);
+}
+
 TEST(truth_command, writes_the_mean_its_error_and_the_objects) {
   ASSERT_EQ(run_program(command({"-o", out("a.exr"), "--spp", "8", "--seed", "5"})).code, 0);
   const image::Exr exr = image::read_exr(out("a.exr"));
@@ -60,19 +73,8 @@ TEST(truth_command, writes_pictures_to_look_at) {
 
 TEST(truth_command, previews_while_it_works) {
   const std::string file = out("preview.png");
-  const pid_t child = ::fork();
+  const pid_t child = start(command({"-o", file, "--spp", "1000000000", "--preview", "0.01"}));
   ASSERT_GE(child, 0);
-  if (child == 0) {
-    std::vector<std::string> words =
-        command({"-o", file, "--spp", "1000000000", "--preview", "0.01"});
-    words.insert(words.begin(), GROUNDGLASS_PROGRAM);
-    std::vector<char*> argv;
-    for (std::string& word : words)
-      argv.push_back(word.data());
-    argv.push_back(nullptr);
-    ::execv(GROUNDGLASS_PROGRAM, argv.data());
-    ::_exit(127);
-  }
   for (int tries = 0; tries < 600 && !fs::exists(file); ++tries)
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_TRUE(fs::exists(file));
@@ -132,18 +134,8 @@ TEST(truth_command, interrupted_keeps_what_it_has) {
   const std::string file = out("a.exr");
   // The program may not have begun to trace when it is told to stop: then it is given longer.
   for (int seconds = 1; seconds <= 32 && !fs::exists(file); seconds *= 2) {
-    const pid_t child = ::fork();
+    const pid_t child = start(command({"-o", file, "--spp", "1000000000"}));
     ASSERT_GE(child, 0);
-    if (child == 0) {
-      std::vector<std::string> words = command({"-o", file, "--spp", "1000000000"});
-      words.insert(words.begin(), GROUNDGLASS_PROGRAM);
-      std::vector<char*> argv;
-      for (std::string& word : words)
-        argv.push_back(word.data());
-      argv.push_back(nullptr);
-      ::execv(GROUNDGLASS_PROGRAM, argv.data());
-      ::_exit(127);
-    }
     std::this_thread::sleep_for(std::chrono::seconds(seconds));
     ::kill(child, SIGINT);
     int status = 0;

@@ -1,0 +1,24 @@
+// JPEG files for tests to read: the program writes them for display only.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <vector>
+
+#include <jpeglib.h> // needs <cstdio>
+
+namespace gg::test {
+
+struct JpegDesc {
+  int width = 40, height = 30;
+  int quality = 95; // 1 to 100
+  bool progressive = false;
+  J_COLOR_SPACE space = JCS_RGB;
+  std::vector<jpeg_scan_info> scans; // instead of the library's own
+};
+
+// `pixels`: rows from the top, 3 values a pixel (CMYK: 4).
+std::vector<std::byte> jpeg_of(std::vector<std::uint8_t> pixels, const JpegDesc& desc);
+
+} // namespace gg::test
