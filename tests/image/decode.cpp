@@ -41,12 +41,11 @@ std::vector<std::uint8_t> ramps(int width, int height, int channels) {
 
 Bytes jpeg(int width, int height, bool progressive, J_COLOR_SPACE space = JCS_RGB,
            const std::vector<jpeg_scan_info>& scans = {}) {
-  return jpeg_of(ramps(width, height, space == JCS_CMYK ? 4 : 3),
-                 {.width = width,
-                  .height = height,
-                  .progressive = progressive,
-                  .space = space,
-                  .scans = scans});
+  return jpeg_of(ramps(width, height, space == JCS_CMYK ? 4 : 3), {.width = width,
+                                                                   .height = height,
+                                                                   .progressive = progressive,
+                                                                   .space = space,
+                                                                   .scans = scans});
 }
 
 Bytes webp(int width, int height, bool lossless) {

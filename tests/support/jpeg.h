@@ -1,12 +1,14 @@
 // JPEG files for tests to read: the program writes them for display only.
 #pragma once
 
+// clang-format off
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
-#include <vector>
+#include <jpeglib.h> // needs the two above
+// clang-format on
 
-#include <jpeglib.h> // needs <cstdio>
+#include <cstdint>
+#include <vector>
 
 namespace gg::test {
 
