@@ -163,10 +163,10 @@ def rectangle():
     return points, [(0.0, 0.0, 1.0)] * 4, [(0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (0.0, 0.0)], [(0, 1, 2), (0, 2, 3)]
 
 
-def revolved(profile, steps, segments):
+def revolved(profile, steps, segments, textured=False):
     """Turns a uniform cubic B-spline about y. `profile`: control points (radius, height) from the axis and back to
     it, outside first going up; the spline starts and ends on the axis, at right angles to it. Normals are the
-    spline's own."""
+    spline's own; texture coordinates, if wanted, go round and along it."""
     first, last = profile[0], profile[-1]
     control = [(-profile[1][0], profile[1][1]), first, *profile[1:-1], last, (-profile[-2][0], profile[-2][1])]
     curve = []
@@ -180,14 +180,15 @@ def revolved(profile, steps, segments):
         if k in (0, spans * steps):
             p[0], slope[1] = 0.0, 0.0
         curve.append((p, normalised((slope[1], -slope[0]))))
-    points, normals = [], []
-    for (radius, height), (nr, ny) in curve:
+    points, normals, uvs = [], [], []
+    for k, ((radius, height), (nr, ny)) in enumerate(curve):
         for i in range(segments + 1):
             phi = 2 * math.pi * (i % segments) / segments
+            uvs.append((i / segments, k / (len(curve) - 1)))
             points.append((radius * math.sin(phi), height, radius * math.cos(phi)))
             normals.append((nr * math.sin(phi), ny, nr * math.cos(phi)))
     triangles = [(a, c, b) for a, b, c in lattice(segments, len(curve) - 1, poles=True)]
-    return points, normals, None, triangles
+    return points, normals, uvs if textured else None, triangles
 
 
 # ---- glTF -----------------------------------------------------------------------------------------
@@ -482,11 +483,200 @@ def lamp():
     return d
 
 
+# Half of a bottle, in metres: bottom, outside up to the lip, inside down to the bottom.
+BOTTLE = [(0.0, 0.004), (0.012, 0.003), (0.026, 0.0005), (0.0335, 0.001), (0.0365, 0.006), (0.037, 0.02), (0.037, 0.06),
+          (0.037, 0.105), (0.0355, 0.125), (0.029, 0.142), (0.0185, 0.155), (0.0138, 0.170), (0.0132, 0.195), (0.0132, 0.214),
+          (0.0155, 0.218), (0.0155, 0.226), (0.0125, 0.229), (0.0096, 0.226), (0.0094, 0.214), (0.0096, 0.195),
+          (0.0102, 0.172), (0.0150, 0.1565), (0.0262, 0.1415), (0.0325, 0.1235), (0.0338, 0.105), (0.0338, 0.06),
+          (0.0338, 0.022), (0.0325, 0.012), (0.024, 0.008), (0.0, 0.009)]
+
+# Half of a tumbler with a thick bottom.
+TUMBLER = [(0.0, 0.0), (0.018, 0.0), (0.031, 0.0), (0.0355, 0.0015), (0.037, 0.006), (0.0378, 0.02), (0.0388, 0.045),
+           (0.0400, 0.075), (0.0408, 0.092), (0.0408, 0.0955), (0.0398, 0.0972), (0.0388, 0.0955), (0.0386, 0.092),
+           (0.0378, 0.075), (0.0366, 0.045), (0.0356, 0.026), (0.0335, 0.0175), (0.024, 0.0145), (0.0, 0.014)]
+
+
+def frosted_bottle():
+    """A frosted bottle, and a clear one behind it, on a lit table with lemons."""
+    d = Document()
+    d.floor(d.board("Table", 16, 16, sand, unlit=False), (1.2, 1.2), (0, 0, 0))
+    frosted = d.glass("Frosted", 0.2, 0.003, [0.55, 0.82, 0.75], 0.02)
+    clear = d.glass("Clear", 0.0, 0.003, [0.93, 0.55, 0.25], 0.03)
+    shape = ("bottle", lambda: revolved(BOTTLE, 3, 56))
+    d.place("Frosted bottle", shape, frosted, (-0.03, 0.0002, 0.02))
+    d.place("Clear bottle", shape, clear, (0.065, 0.0002, -0.06))
+    lemon = d.plain("Lemon", [0.9, 0.68, 0.05], 0.45)
+    d.place("Lemon", FINE_BALL, lemon, (0.055, 0.0265, 0.055), (0.033, 0.0265, 0.0265))
+    d.place("Lemon behind", FINE_BALL, lemon, (-0.06, 0.0265, -0.07), (0.0265, 0.0265, 0.033))
+    d.camera((0.0, 0.19, 0.62), (0.008, 0.103, 0), 24)
+    return d
+
+
+def garden():
+    """Trees, grass, flowers and sky behind a window: radiance over u, v with v down."""
+    state, width, height = 12345, 768, 576
+
+    def draw():
+        nonlocal state
+        state = (1103515245 * state + 12345) % 2**31
+        return state / 2**31
+
+    pixels = []
+    for y in range(height):
+        v = y / height
+        sky = (0.55 + 0.35 * v, 0.74 + 0.2 * v, 0.98)
+        grass = (0.16 + 0.3 * (v - 0.4), 0.40 + 0.35 * (v - 0.4), 0.10)
+        pixels.append([sky if v < 0.42 else grass for _ in range(width)])
+
+    def spot(x, y, rx, ry, colour):
+        """An ellipse whose edge is soft over a texel."""
+        for j in range(max(int(y - ry - 1), 0), min(int(y + ry + 2), height)):
+            for i in range(max(int(x - rx - 1), 0), min(int(x + rx + 2), width)):
+                far = math.hypot((i - x) / rx, (j - y) / ry)
+                share = min(max((1.0 - far) * min(rx, ry) + 0.5, 0.0), 1.0)
+                pixels[j][i] = tuple(share * c + (1.0 - share) * p for c, p in zip(colour, pixels[j][i]))
+
+    for x, y, reach, colour in ((400, 215, 60, (0.07, 0.22, 0.12)), (150, 180, 105, (0.09, 0.33, 0.09)),
+                                (600, 160, 115, (0.15, 0.40, 0.08))):
+        spot(x, 0.5 * (y + 360), 9 * reach / 100, 0.5 * (360 - y), (0.24, 0.16, 0.10))
+        for _ in range(18 * reach):
+            angle, far = 2 * math.pi * draw(), reach * math.sqrt(draw())
+            lift = math.sin(angle) * far
+            shade = 0.55 + 0.35 * draw() - 0.6 * lift / reach # light from above
+            spot(x + 1.15 * math.cos(angle) * far, y + 0.85 * lift, 2 + 3 * draw(), 1.5 + 2 * draw(), tuple(max(shade, 0.25) * c for c in colour))
+    flowers = ((0.85, 0.10, 0.12), (0.95, 0.75, 0.10), (0.90, 0.45, 0.70), (0.95, 0.95, 0.90))
+    for y in sorted(345 + 225 * draw() ** 0.8 for _ in range(900)):
+        size = 1.0 + 5.0 * (y - 345) / 230
+        spot(width * draw(), y, size, 0.7 * size, flowers[int(4 * draw())] if draw() < 0.55 else (0.12, 0.36 + 0.1 * draw(), 0.08))
+    return png(width, height, bytes(round(255 * min(c, 1.0)) for row in pixels for texel in row for c in texel))
+
+
+def bathroom_window():
+    """A window of four rough panes, from clear to ground, before a garden; a plant stands behind it and a bottle before it."""
+    d = Document()
+    linear = {"magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 33071}
+    picture = d.material("Garden", {"baseColorTexture": {"index": d.texture(garden(), linear)}, "metallicFactor": 0.0},
+                         {"KHR_materials_unlit": {}})
+    d.wall(picture, (6.4, 4.8), (0, 1.5, -2.4))
+    frame = d.plain("Frame", [0.86, 0.85, 0.82], 0.5)
+    tile = d.plain("Tiles", [0.62, 0.76, 0.78], 0.3)
+    for name, x, y, w, h in (("Wall left", -1.5, 1.5, 1.6, 3.6), ("Wall right", 1.5, 1.5, 1.6, 3.6),
+                             ("Wall above", 0, 2.85, 1.4, 0.9), ("Wall below", 0, 0.15, 1.4, 0.9)):
+        d.place(name, BOX, tile, (x, y, 0), (w, h, 0.2))
+    for x in (-0.68, 0.0, 0.68):
+        d.place("Bar", BOX, frame, (x, 1.5, 0), (0.05, 1.8, 0.1))
+    for y in (0.62, 1.5, 2.38):
+        d.place("Bar", BOX, frame, (0, y, 0), (1.4, 0.05, 0.1))
+    d.place("Sill", BOX, frame, (0, 0.58, 0.18), (1.6, 0.05, 0.36))
+    for name, alpha, x, y in (("Clear", 0.0, -0.34, 1.94), ("Satin", 0.04, 0.34, 1.94), ("Frosted", 0.12, -0.34, 1.06),
+                              ("Ground", 0.3, 0.34, 1.06)):
+        d.place(name, BOX, d.glass(name, alpha, 1.0), (x, y, 0), (0.63, 0.83, 0.012))
+    d.place("Pot", BOX, d.plain("Clay", [0.6, 0.25, 0.12], 0.7), (0.34, 0.75, -0.16), (0.2, 0.25, 0.2))
+    leaf = d.plain("Leaf", [0.12, 0.4, 0.1], 0.6)
+    for x, y, z, r in ((0.34, 1.02, -0.17, 0.14), (0.24, 1.12, -0.2, 0.1), (0.45, 1.14, -0.2, 0.11), (0.35, 1.22, -0.22, 0.09)):
+        d.place("Leaves", BALL, leaf, (x, y, z), (r, r, r))
+    d.place("Bottle", ("bottle", lambda: revolved(BOTTLE, 3, 56)), d.glass("Amber", 0.0, 0.003, [0.93, 0.55, 0.25], 0.03),
+            (-0.3, 0.606, 0.2), (1.4, 1.4, 1.4))
+    d.camera((0.12, 1.6, 3.0), (0, 1.42, 0), 36)
+    return d
+
+
+def cut(width, height):
+    """Roughness of a tumbler over turn and height of its outline: bands and lozenges that are etched, the rest clear."""
+    pixels = bytearray()
+    for y in range(height):
+        v = y / height
+        for x in range(width):
+            s, t = 14 * x / width % 1.0, (v - 0.27) / 0.075
+            lozenge = 0.0 < t < 1.0 and abs(s - 0.5) + abs(t - 0.5) < 0.42 and abs(s - 0.5) + abs(t - 0.5) > 0.16
+            band = 0.245 < v < 0.255 or 0.36 < v < 0.37
+            pixels.append(round(255 * (math.sqrt(0.4) if lozenge or band else 0.0)))
+    return png(width, height, bytes(pixels))
+
+
+def etched_tumbler():
+    """A tumbler with an etched pattern, beside a copper ball."""
+    d = Document()
+    d.floor(d.plain("Slate", [0.09, 0.095, 0.1], 0.35), (1.2, 1.2), (0, 0, 0))
+    linear = {"magFilter": 9729, "minFilter": 9987, "wrapS": 10497, "wrapT": 33071}
+    texture = d.texture(cut(1024, 512), linear)
+    glass = d.glass("Etched", 1.0, 0.004, pbr={"metallicRoughnessTexture": {"index": texture}})
+    d.place("Tumbler", ("tumbler", lambda: revolved(TUMBLER, 4, 64, textured=True)), glass, (-0.02, 0.0002, 0))
+    d.place("Copper ball", FINE_BALL, d.metal("Copper", "copper", 0.05), (0.055, 0.022, -0.035), (0.022, 0.022, 0.022))
+    d.camera((0.0, 0.13, 0.36), (0.006, 0.044, 0), 22)
+    return d
+
+
+def brilliant():
+    """A brilliant cut of unit girdle radius, flat faces: table, crown, girdle, pavilion (Tolkowsky's proportions)."""
+    n, table, crown, girdle, pavilion = 16, 0.53, 0.324, 0.04, 0.862
+    def ring(radius, y, count, offset):
+        return [(radius * math.sin(2 * math.pi * (i + offset) / count), y, radius * math.cos(2 * math.pi * (i + offset) / count))
+                for i in range(count)]
+    top, star = ring(table, girdle / 2 + crown, 8, 0.0), ring(0.78, girdle / 2 + 0.6 * crown, 8, 0.5)
+    upper, lower = ring(1.0, girdle / 2, n, 0.0), ring(1.0, -girdle / 2, n, 0.0)
+    waist, tip = ring(0.5, -girdle / 2 - 0.52 * pavilion, 8, 0.0), (0.0, -girdle / 2 - pavilion, 0.0)
+    faces = [[(0.0, girdle / 2 + crown, 0.0), top[i], top[(i + 1) % 8]] for i in range(8)]
+    for i in range(8):
+        j, a, b, c = (i + 1) % 8, upper[2 * i], upper[2 * i + 1], upper[(2 * i + 2) % n]
+        faces += [[top[i], star[i], top[j]], [top[i], a, star[i]], [star[i], c, top[j]], [star[i], a, b], [star[i], b, c]]
+        d, e, f = lower[2 * i], lower[2 * i + 1], lower[(2 * i + 2) % n]
+        faces += [[waist[i], e, d], [waist[i], waist[j], e], [waist[j], f, e], [tip, waist[j], waist[i]]]
+        faces += [[a, d, e], [a, e, b], [b, e, f], [b, f, c]]
+    points, normals, triangles = [], [], []
+    for p, q, r in faces:
+        u, w = [b - a for a, b in zip(p, q)], [b - a for a, b in zip(p, r)]
+        m = normalised((u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]))
+        inwards = sum(a * b for a, b in zip(m, p)) < 0
+        triangles.append(tuple(len(points) + k for k in ((0, 2, 1) if inwards else (0, 1, 2))))
+        points += [p, q, r]
+        normals += [tuple(-c for c in m) if inwards else m] * 3
+    return points, normals, None, triangles
+
+
+def gem():
+    """A brilliant of a dispersive glass on dark velvet, and a rough one beside it."""
+    d = Document()
+    d.floor(d.plain("Velvet", [0.02, 0.02, 0.03], 1.0), (4, 4), (0, 0, 0))
+    for name, alpha, x, turn in (("Clear", 0.0, -0.06, 0.0), ("Frosted", 0.15, 0.115, 0.35)):
+        material = d.glass(name, alpha, 0.1)
+        d.json["materials"][material]["extensions"]["KHR_materials_ior"]["ior"] = 1.9
+        d.json["materials"][material]["extensions"]["KHR_materials_dispersion"] = {"dispersion": 0.8}
+        d.json["extensionsUsed"] = sorted({*d.json["extensionsUsed"], "KHR_materials_dispersion"})
+        d.place(name, ("brilliant", brilliant), material, (x, 0.072, 0), (0.08, 0.08, 0.08),
+                (math.sin(0.2) * math.cos(turn), math.cos(0.2) * math.sin(turn), 0, math.cos(0.2) * math.cos(turn)))
+    d.camera((0.0, 0.45, 0.75), (0.027, 0.045, 0), 18)
+    return d
+
+
+# Half of a jug without its handle: foot, belly, neck, lip; solid, as only its outside is seen.
+JUG = [(0.0, 0.0), (0.02, 0.0), (0.033, 0.0), (0.036, 0.002), (0.036, 0.006), (0.034, 0.012), (0.042, 0.03), (0.049, 0.055),
+       (0.047, 0.082), (0.036, 0.105), (0.027, 0.122), (0.026, 0.137), (0.031, 0.150), (0.0355, 0.156), (0.0365, 0.159),
+       (0.034, 0.160), (0.027, 0.157), (0.0, 0.156)]
+
+
+def brushed_metal():
+    """A turned steel jug, brushed around, a copper one, brushed along its outline, and a gold ball without brushing."""
+    d = Document()
+    d.floor(d.plain("Slate", [0.09, 0.095, 0.1], 0.35), (1.2, 1.2), (0, 0, 0))
+    shape = ("jug", lambda: revolved(JUG, 4, 64, textured=True))
+    for name, colour, x, z, rotation in (("Steel jug", [0.62, 0.6, 0.58], -0.06, 0.0, math.pi / 2),
+                                         ("Copper jug", [0.95, 0.64, 0.54], 0.065, -0.05, 0.0)):
+        material = d.material(name, {"baseColorFactor": [*colour, 1.0], "metallicFactor": 1.0, "roughnessFactor": 0.3},
+                              {"KHR_materials_anisotropy": {"anisotropyStrength": 0.75, "anisotropyRotation": rotation}})
+        d.place(name, shape, material, (x, 0, z))
+    d.place("Gold ball", FINE_BALL, d.metal("Gold", "gold", 0.09), (0.035, 0.028, 0.06), (0.028, 0.028, 0.028))
+    d.camera((0.0, 0.2, 0.5), (0.005, 0.075, 0), 24)
+    return d
+
+
 def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent
     scenes = {"ball-grid": ball_grid(), "slabs-0.02": slabs(0.02), "slabs-0.2": slabs(0.2), "slabs-2": slabs(2.0),
               "panes": panes(), "glass-behind-glass": glass_behind_glass(), "wineglass": wineglass(), "etched": etched(),
-              "contact": contact(), "odd-neighbours": odd_neighbours(), "lamp": lamp()}
+              "contact": contact(), "odd-neighbours": odd_neighbours(), "lamp": lamp(),
+              "bottle": frosted_bottle(), "window": bathroom_window(), "tumbler": etched_tumbler(), "gem": gem(),
+              "brushed": brushed_metal()}
     for name, document in scenes.items():
         data = document.bytes()
         (folder / f"{name}.glb").write_bytes(data)
