@@ -46,7 +46,8 @@ class Draws {
 public:
   Draws(gpu::Device& device, const UploadedScene& scene, const tables::DeviceTables& tables);
 
-  // While `what` runs pipelines are not made, only told to the device, which compiles them on all cores; those it is given are null.
+  // While `what` runs pipelines are not made, only told to the device, which compiles them on all cores; those it is given are
+  // null.
   void expect(const std::function<void()>& what);
 
   // Compiled at the first call, kept from then on or until all are forgotten.

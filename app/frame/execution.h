@@ -19,8 +19,8 @@ public:
     std::function<void(gpu::Encoder&, int sample)> bind;
     std::vector<gpu::View> reads;
   };
-  // Textures of an earlier graph are kept where they fit, and for graphs to come while the picture keeps its size: what is seen, and
-  // with it what is drawn, changes with every turn of a camera. All arguments must outlive the passes.
+  // Textures of an earlier graph are kept where they fit, and for graphs to come while the picture keeps its size: what is seen,
+  // and with it what is drawn, changes with every turn of a camera. All arguments must outlive the passes.
   void set(const Graph& graph, Context& context, Shared shared);
 
   // Of the i-th sample of a frame.

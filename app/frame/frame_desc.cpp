@@ -63,7 +63,7 @@ std::vector<uniforms::FrameData> frame_blocks(const FrameDesc& desc, const needs
     block.clipFromWorld = glm::mat4(clip);
     block.worldFromClip = glm::mat4(glm::inverse(clip));
     // Of a square of 1 / samples of the pixel's area: a twelfth of that.
-    block.part = glm::vec4(glm::vec3(uniforms::beam_part(i, desc.samples)),
+    block.part = glm::vec4(glm::vec3(uniforms::lobe_stratum(i, desc.samples)),
                            1.0f / (12.0f * static_cast<float>(desc.samples)));
   }
   return blocks;

@@ -46,11 +46,11 @@ void Renderer::upload_tables() {
     if (file == table.file) continue;
     file = table.file;
     if (table.kind == needs::TableKind::reflection_lobes)
-      tables::upload_reflection(device_, tables_, table.model, table.taps);
+      tables::upload_reflection(device_, tables_, table.model, table.lobes);
     if (table.kind == needs::TableKind::interface_lobes)
-      tables::upload_interfaces(device_, tables_, std::array{table.model}, table.taps);
+      tables::upload_interfaces(device_, tables_, std::array{table.model}, table.lobes);
     if (table.kind == needs::TableKind::wall_lobes)
-      tables::upload_thin_walls(device_, tables_, table.model, table.taps);
+      tables::upload_thin_walls(device_, tables_, table.model, table.lobes);
   }
 }
 

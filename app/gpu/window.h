@@ -1,5 +1,6 @@
-// A window with a device that draws into it, and Dear ImGui's panels over what is drawn. One thread, the one that made it, calls all
-// of it but wake(). The keyboard and the mouse are read from ImGui::GetIO(), presses of keys from take_keys(): upper-case ASCII, or a number of gpu::key.
+// A window with a device that draws into it, and Dear ImGui's panels over what is drawn. One thread, the one that made it, calls
+// all of it but wake(). The keyboard and the mouse are read from ImGui::GetIO(), presses of keys from take_keys(): upper-case
+// ASCII, or a number of gpu::key.
 #pragma once
 
 #include "gpu/device.h"
@@ -72,8 +73,8 @@ public:
 
   // Starts Dear ImGui's frame; its coordinates are pixels.
   virtual void begin_frame() = 0;
-  // Ends it and shows `picture` (rgba8 with Use::attachment and Use::read_back, as large as the window; the panels may be drawn into
-  // it) with the panels over it. With `shown`, also reads what is shown: RGBA, width() x height(), row 0 first.
+  // Ends it and shows `picture` (rgba8 with Use::attachment and Use::read_back, as large as the window; the panels may be drawn
+  // into it) with the panels over it. With `shown`, also reads what is shown: RGBA, width() x height(), row 0 first.
   virtual void present(const TextureRef& picture, std::vector<std::byte>* shown = nullptr) = 0;
 };
 

@@ -71,7 +71,8 @@ struct Exr {
   bool half = false;
 };
 // Reads every channel of the first part, of scan-line and tiled files, as floats. The size is the
-// display window's: what the data window lacks of it is 0, what it has beside it is dropped, with a note. Attributes of type string, int, float and double are kept, as text.
+// display window's: what the data window lacks of it is 0, what it has beside it is dropped, with a note. Attributes of type
+// string, int, float and double are kept, as text.
 Exr read_exr(const std::filesystem::path& path);
 void write_exr(const std::filesystem::path& path, const Exr& exr);
 

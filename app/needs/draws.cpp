@@ -78,8 +78,8 @@ void let_leave_by_rough_faces(std::vector<Draw>& draws, const View& view) {
       continue;
     set_value(draw.key, Feature::smooth, 0);
     if (value_of(draw.key, Feature::environment) != 0)
-      set_value(draw.key, Feature::lobe_taps,
-                reflection_taps(view.method, model_of(*draw.material, view.correlated_smith)));
+      set_value(draw.key, Feature::lobe_count,
+                reflection_lobes(view.method, model_of(*draw.material, view.correlated_smith)));
   }
 }
 
@@ -199,10 +199,10 @@ Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes) {
       draw.role = role_of(material);
       draw.key = features.key;
       if (value_of(draw.key, Feature::environment) != 0)
-        set_value(draw.key, Feature::lobe_taps,
+        set_value(draw.key, Feature::lobe_count,
                   value_of(draw.key, Feature::smooth) != 0
                       ? 1
-                      : reflection_taps(view.method, model_of(material, view.correlated_smith)));
+                      : reflection_lobes(view.method, model_of(material, view.correlated_smith)));
       draw.bounds = bounds;
       const glm::vec3 centre(instance.world * glm::vec4(primitive.bounds.centre(), 1.0f));
       draw.distance = static_cast<double>(glm::dot(centre - eye, forward));

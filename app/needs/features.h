@@ -19,8 +19,8 @@ enum class Method : int {
   lobes3 = 3,
   lobes4 = 4
 };
-// Taps that a method's tables have: 0 for those that read none.
-constexpr int taps_of(Method method) {
+// Lobes that a method's tables have: 0 for those that read none.
+constexpr int lobes_of(Method method) {
   const int number = static_cast<int>(method);
   return number >= 1 && number <= 4 ? number : 0;
 }
@@ -66,7 +66,7 @@ enum class Feature : std::uint32_t {
   attenuation,
   holds_opaque,
   interior_pairs,
-  lobe_taps,
+  lobe_count,
   seen_from_within,
   smooth,
   neighbours, // of NeighbourKind

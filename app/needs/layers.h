@@ -27,7 +27,7 @@ struct ScreenBox {
 ScreenBox screen_box(const scene::Bounds& bounds, const glm::dmat4& clip_from_world);
 void grow(ScreenBox& box, const ScreenBox& other); // to hold the other too
 
-// What is shaded by its pixels: draws of one material, of glass those of one instance (a solid).
+// What is shaded deferred, by region: draws of one material, of glass those of one instance (a solid).
 struct Region {
   std::vector<const Draw*> draws;
   ScreenBox box;
@@ -47,7 +47,7 @@ struct Layer {
   }                   // what is behind it, as a picture
   bool blurs = false; // and shifts it: needs that picture's pyramid and depth
   bool interleaves =
-      false; // what is shaded by its pixels may stand, in parts, behind glass of a layer before
+      false; // what is shaded deferred may stand, in parts, behind glass of a layer before
 };
 
 // Refractive and blended draws by layer, the farthest first. The parts of a solid (one instance, one

@@ -51,21 +51,21 @@ scene::Bounds bounds_of(const std::vector<Draw>& draws, const scene::Bounds& sce
 }
 
 // Of one lobe, where it is looked up.
-int lookups_per_lobe(Method method, int taps) {
+int lookups_per_lobe(Method method, int lobes) {
   const int number = static_cast<int>(method);
-  return number >= first_fis ? number - first_fis : std::max(taps, 1);
+  return number >= first_fis ? number - first_fis : std::max(lobes, 1);
 }
 
 Lookups lookups_of(const Needs& needs) {
   const Method method = needs.view.method;
   Lookups most;
   for (const Draw& draw : needs.draws.all) {
-    // Glass reflects little: its taps are merged into one (stages/environment_light.glsl).
+    // Glass reflects little: its lobes are merged into one (stages/environment_light.glsl).
     const bool refracts = draw.role == Role::refractive;
     if (value_of(draw.key, Feature::environment) != 0)
-      most.reflected =
-          std::max(most.reflected,
-                   refracts ? 1 : lookups_per_lobe(method, value_of(draw.key, Feature::lobe_taps)));
+      most.reflected = std::max(
+          most.reflected,
+          refracts ? 1 : lookups_per_lobe(method, value_of(draw.key, Feature::lobe_count)));
     if (!refracts) continue;
     if (draw.is_straight()) {
       most.refracted = std::max(most.refracted, 1);
@@ -74,13 +74,13 @@ Lookups lookups_of(const Needs& needs) {
     // Where the index depends on the wavelength each channel goes its own way.
     const int ways = value_of(draw.key, Feature::dispersion) != 0 ? 3 : 1;
     most.refracted =
-        std::max(most.refracted, ways * lookups_per_lobe(method, interface_taps(method)));
+        std::max(most.refracted, ways * lookups_per_lobe(method, interface_lobes(method)));
     if (value_of(draw.key, Feature::interior_pairs) == 0) continue;
-    most.bounced = std::max(most.bounced, ways);
-    // What loses its way is looked up before the viewer and behind (stages/glass_inside.glsl).
-    const bool wanders =
+    most.internally_reflected = std::max(most.internally_reflected, ways);
+    // Diffuse internal scattering is looked up before the viewer and behind (stages/glass_inside.glsl).
+    const bool scatters =
         value_of(draw.key, Feature::interior_pairs) > 1 && value_of(draw.key, Feature::smooth) == 0;
-    most.left_over = std::max(most.left_over, wanders ? 2 * ways : ways);
+    most.residual = std::max(most.residual, scatters ? 2 * ways : ways);
   }
   return most;
 }
@@ -102,7 +102,7 @@ Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes) {
   needs.view = view;
   needs.draws = draws_of(scene, view, *shapes);
   needs.sky = view.environment.has_value();
-  needs.company = needs.sky && needs.draws.all.size() > 1 && view.method != Method::standard;
+  needs.has_neighbours = needs.sky && needs.draws.all.size() > 1 && view.method != Method::standard;
   if (view.method != Method::standard) needs.walls = walls_of(scene, needs.draws);
   if (view.method != Method::standard && (needs.sky || !scene.lights.empty())) {
     needs.proxies = shapes->proxies();

@@ -21,8 +21,8 @@ namespace gg::needs {
 struct Lookups {
   int reflected = 0; // by a surface's own reflection
   int refracted = 0; // of what is seen through glass, where light first comes to leave it
-  int bounced = 0;   // where it leaves after total reflections inside a solid
-  int left_over = 0; // for what has not left then
+  int internally_reflected = 0; // where it leaves after total reflections inside a solid
+  int residual = 0;             // for what has not left then
 };
 
 // Points into itself and into the scene: it can be moved, not copied.
@@ -36,10 +36,10 @@ struct Needs {
   Draws draws;
   // Near to far: the depth test then spares hidden shading.
   std::vector<const Draw*> opaque;    // shaded by their triangles
-  std::vector<Region> opaque_regions; // of one material each, shaded by their pixels
+  std::vector<Region> opaque_regions; // of one material each, for deferred shading
   std::vector<LayerDraw> over_opaque; // blended surfaces with no glass behind them
   std::vector<Layer> layers;          // the farthest first, each with glass in it or behind it
-  bool company = false;               // what leaves glass can meet other things
+  bool has_neighbours = false;        // what leaves glass can meet other things
   std::shared_ptr<const Proxies>
       proxies;             // of all that stands in the scene; none where no draw asks for them
   std::vector<Wall> walls; // that they can meet where the picture ends

@@ -1,5 +1,5 @@
-// What a draw covers of the screen, closer than a rectangle: its extent along eight directions, 22.5 degrees apart. Of a disc that is
-// 1 % of its radius too much, of a rectangle's corners half.
+// What a draw covers of the screen, closer than a rectangle: its extent along eight directions, 22.5 degrees apart. Of a disc
+// that is 1 % of its radius too much, of a rectangle's corners half.
 #pragma once
 
 #include "needs/draws.h"

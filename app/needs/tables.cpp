@@ -11,8 +11,9 @@ namespace f32 = glsl::f32;
 
 constexpr std::size_t texel = 8; // bytes: four half floats
 
-Table table_of(TableKind kind, const tables::Model& model, int taps) {
-  const std::string of_model = tables::name(model) + ".exr", lobes = "lobes" + std::to_string(taps);
+Table table_of(TableKind kind, const tables::Model& model, int lobes) {
+  const std::string of_model = tables::name(model) + ".exr",
+                    of_lobes = "lobes" + std::to_string(lobes);
   Table table{.kind = kind, .model = model};
   switch (kind) {
   case TableKind::reflection_energy:
@@ -20,8 +21,8 @@ Table table_of(TableKind kind, const tables::Model& model, int taps) {
     table.bytes = texel * f32::ENERGY_TABLE_SIZE * f32::ENERGY_TABLE_SIZE;
     break;
   case TableKind::reflection_lobes:
-    table.taps = taps;
-    table.file = "reflection-" + lobes + "-" + of_model;
+    table.lobes = lobes;
+    table.file = "reflection-" + of_lobes + "-" + of_model;
     table.bytes = texel * f32::LOBE_TABLE_SIZE * f32::LOBE_TABLE_SIZE * f32::LOBE_TABLE_SLICES;
     break;
   case TableKind::interface_energy:
@@ -30,19 +31,20 @@ Table table_of(TableKind kind, const tables::Model& model, int taps) {
                   * f32::INTERFACE_SLICES;
     break;
   case TableKind::interface_lobes:
-    table.taps = taps;
-    table.file = "interface-" + lobes + "-" + of_model;
+    table.lobes = lobes;
+    table.file = "interface-" + of_lobes + "-" + of_model;
     table.bytes = texel * f32::INTERFACE_LOBE_COSINES * f32::INTERFACE_LOBE_ALPHAS * 2
                   * f32::INTERFACE_SLICES;
     break;
   case TableKind::wall_energy:
   case TableKind::wall_lobes:
-    table.taps = taps;
-    table.file = (taps ? "thin-wall-" + lobes : std::string("thin-wall-energy")) + "-" + of_model;
+    table.lobes = lobes;
+    table.file =
+        (lobes ? "thin-wall-" + of_lobes : std::string("thin-wall-energy")) + "-" + of_model;
     table.bytes = texel * f32::THIN_WALL_COSINES * f32::THIN_WALL_ALPHAS * f32::THIN_WALL_SLICES;
     break;
   }
-  if (taps > 1) table.bytes *= static_cast<std::size_t>(taps);
+  if (lobes > 1) table.bytes *= static_cast<std::size_t>(lobes);
   return table;
 }
 
@@ -65,14 +67,14 @@ tables::Model model_of(const scene::Material& material, bool correlated_smith) {
   return {};
 }
 
-int reflection_taps(Method method, const tables::Model& model) {
-  return std::clamp(taps_of(method), 1, tables::taps_of(model)); // Phong has two
+int reflection_lobes(Method method, const tables::Model& model) {
+  return std::clamp(lobes_of(method), 1, tables::lobes_of(model)); // Phong has two
 }
 
-int interface_taps(Method method) {
+int interface_lobes(Method method) {
   if (method == Method::standard) return 0;
   // Importance sampling takes energies and widths of what it does not sample from the same tables.
-  return taps_of(method) > 1 ? 2 : 1;
+  return lobes_of(method) > 1 ? 2 : 1;
 }
 
 std::vector<Table> tables_of(const std::vector<Draw>& draws, const View& view) {
@@ -90,15 +92,15 @@ std::vector<Table> tables_of(const std::vector<Draw>& draws, const View& view) {
     if (reflects) {
       tables.push_back(table_of(TableKind::reflection_energy, model, 0));
       tables.push_back(
-          table_of(TableKind::reflection_lobes, model, reflection_taps(view.method, model)));
+          table_of(TableKind::reflection_lobes, model, reflection_lobes(view.method, model)));
     }
-    if (transmits && interface_taps(view.method) > 0) {
+    if (transmits && interface_lobes(view.method) > 0) {
       tables.push_back(table_of(TableKind::interface_energy, model, 0));
-      tables.push_back(table_of(TableKind::interface_lobes, model, interface_taps(view.method)));
+      tables.push_back(table_of(TableKind::interface_lobes, model, interface_lobes(view.method)));
     }
-    if (has_walls && interface_taps(view.method) > 0) {
+    if (has_walls && interface_lobes(view.method) > 0) {
       tables.push_back(table_of(TableKind::wall_energy, model, 0));
-      tables.push_back(table_of(TableKind::wall_lobes, model, interface_taps(view.method)));
+      tables.push_back(table_of(TableKind::wall_lobes, model, interface_lobes(view.method)));
     }
   }
   return tables;

@@ -22,7 +22,7 @@ enum class TableKind {
 struct Table {
   TableKind kind;
   tables::Model model;
-  int taps = 0; // that it holds; 0: it is of energies
+  int lobes = 0; // that it holds; 0: it is of energies
   std::string file;
   std::size_t bytes = 0; // on the device
 };
@@ -30,10 +30,10 @@ struct Table {
 // The tables that stand for a material's lobe.
 tables::Model model_of(const scene::Material& material, bool correlated_smith);
 
-// Taps of a method's tables: of one face's reflection, and of one face that light passes. What is composed of two faces
-// needs two taps of each at most (refraction/composition_fetch.glsl). 0: it reads none.
-int reflection_taps(Method method, const tables::Model& model);
-int interface_taps(Method method);
+// Lobes of a method's tables: of one face's reflection, and of one face that light passes. What is composed of two faces
+// needs two lobes of each at most (refraction/composition_fetch.glsl). 0: it reads none.
+int reflection_lobes(Method method, const tables::Model& model);
+int interface_lobes(Method method);
 
 // Each once, in the order of tables::models.
 std::vector<Table> tables_of(const std::vector<Draw>& draws, const View& view);

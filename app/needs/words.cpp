@@ -53,9 +53,9 @@ constexpr FeatureName names[] = {
     {Feature::seen_from_within, "seen from within"},
     {Feature::smooth, "smooth"},
     {Feature::holds_opaque, "opaque things inside"},
-    {Feature::lobe_taps,
+    {Feature::lobe_count,
      "reflection by",
-     {nullptr, "one tap", "two taps", "three taps", "four taps"}},
+     {nullptr, "one lobe", "two lobes", "three lobes", "four lobes"}},
     {Feature::interior_pairs, "interior", {nullptr, "one pair of faces", "two pairs of faces"}},
     {Feature::neighbours,
      "neighbours",
@@ -112,8 +112,9 @@ std::string text_of(const Needs& needs) {
 
   const Lookups& lookups = needs.lookups;
   text += fmt::format("\nlookups of the blurred surroundings, at most, per pixel\n"
-                      "  reflected {}, refracted {}, bounced inside {}, left over {}\n",
-                      lookups.reflected, lookups.refracted, lookups.bounced, lookups.left_over);
+                      "  reflected {}, refracted {}, internally reflected {}, residual {}\n",
+                      lookups.reflected, lookups.refracted, lookups.internally_reflected,
+                      lookups.residual);
 
   if (!needs.tables.empty()) text += "\ntables\n";
   for (const Table& table : needs.tables)
@@ -127,7 +128,7 @@ nlohmann::json json_of(const Needs& needs) {
   for (const FeatureUse& use : features_in_use(needs.draws.all))
     features[use.name] = use.draws;
   for (const Table& table : needs.tables)
-    tables.push_back({{"file", table.file}, {"taps", table.taps}, {"bytes", table.bytes}});
+    tables.push_back({{"file", table.file}, {"lobes", table.lobes}, {"bytes", table.bytes}});
   return {{"width", needs.view.width},
           {"height", needs.view.height},
           {"samples", needs.view.samples},
@@ -140,8 +141,8 @@ nlohmann::json json_of(const Needs& needs) {
           {"lookups",
            {{"reflected", needs.lookups.reflected},
             {"refracted", needs.lookups.refracted},
-            {"bounced", needs.lookups.bounced},
-            {"left_over", needs.lookups.left_over}}},
+            {"internally_reflected", needs.lookups.internally_reflected},
+            {"residual", needs.lookups.residual}}},
           {"tables", tables}};
 }
 

@@ -84,7 +84,7 @@ std::string to_csv(const Report& report) {
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},", csv_field(s.name),
                           csv_field(c.method), c.samples, csv_field(c.device.backend),
                           csv_field(c.device.name), s.width, s.height, c.lookups.reflected,
-                          c.lookups.refracted, c.lookups.bounced, c.lookups.left_over);
+                          c.lookups.refracted, c.lookups.internally_reflected, c.lookups.residual);
       text += fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},", ms.median, ms.low_quartile,
                           ms.high_quartile, ms.least, ms.most, ms.count);
       text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},",

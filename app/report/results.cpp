@@ -148,15 +148,15 @@ Verdict verdict_from(const json& value) {
 nlohmann::json to_json(const needs::Lookups& l) {
   return {{"reflected", l.reflected},
           {"refracted", l.refracted},
-          {"internally_reflected", l.bounced},
-          {"residual", l.left_over}};
+          {"internally_reflected", l.internally_reflected},
+          {"residual", l.residual}};
 }
 
 needs::Lookups lookups_from(const nlohmann::json& value) {
   return {.reflected = value.at("reflected"),
           .refracted = value.at("refracted"),
-          .bounced = value.at("internally_reflected"),
-          .left_over = value.at("residual")};
+          .internally_reflected = value.at("internally_reflected"),
+          .residual = value.at("residual")};
 }
 
 } // namespace gg::report

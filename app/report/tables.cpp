@@ -50,11 +50,12 @@ std::string times(const Spread& ms) {
                      ms.low_quartile, ms.high_quartile);
 }
 
-// Reflected, refracted, after total reflection and of what is left over: "1 + 2 + 1 + 1"; without
+// Reflected, refracted, after total reflection and of residual energy: "1 + 2 + 1 + 1"; without
 // glass the first alone.
 std::string lookups_of(const needs::Lookups& l) {
   if (l.refracted == 0) return std::to_string(l.reflected);
-  return fmt::format("{} + {} + {} + {}", l.reflected, l.refracted, l.bounced, l.left_over);
+  return fmt::format("{} + {} + {} + {}", l.reflected, l.refracted, l.internally_reflected,
+                     l.residual);
 }
 
 } // namespace

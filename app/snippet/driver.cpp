@@ -32,7 +32,8 @@ std::string samplers(const std::vector<Item>& declared) {
   return text;
 }
 
-// Whether the tokens from `i`, a name, on are the target of an assignment: name, name.field or name[k] before =, +=, ++ and the like.
+// Whether the tokens from `i`, a name, on are the target of an assignment: name, name.field or name[k] before =, +=, ++ and the
+// like.
 bool is_assigned(const std::string& text, const std::vector<Token>& all, std::size_t i) {
   const auto at = [&](std::size_t k) { return k < all.size() ? text[all[k].begin] : '\0'; };
   if (i > 1 && ((at(i - 1) == '+' && at(i - 2) == '+') || (at(i - 1) == '-' && at(i - 2) == '-')))

@@ -18,9 +18,9 @@ struct PrintOptions {
   bool strip = false; // no comments, no empty lines
 };
 
-// The snippets of those names (see catalog.h) with all that they include, each once, as text that the target's compiler takes as it is.
-// Throws Error(usage) for a name that does not exist and a prefix that is no identifier, Error(unsupported) where a snippet reads
-// textures and the target has no combined samplers to pass (cpp, wgsl).
+// The snippets of those names (see catalog.h) with all that they include, each once, as text that the target's compiler takes as
+// it is. Throws Error(usage) for a name that does not exist and a prefix that is no identifier, Error(unsupported) where a
+// snippet reads textures and the target has no combined samplers to pass (cpp, wgsl).
 std::string print(const std::filesystem::path& shaders, const std::vector<std::string>& names,
                   const PrintOptions& options);
 

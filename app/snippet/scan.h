@@ -1,5 +1,5 @@
-// Shader text taken apart: what stands at its outermost level. For GLSL as snippets are written, and for the HLSL, MSL and WGSL that
-// converters make of it.
+// Shader text taken apart: what stands at its outermost level. For GLSL as snippets are written, and for the HLSL, MSL and WGSL
+// that converters make of it.
 #pragma once
 
 #include <cstddef>

@@ -58,7 +58,7 @@ DeviceTables make_tables(gpu::Device& device) {
   return tables;
 }
 
-void upload_reflection(gpu::Device& device, DeviceTables& tables, const Model& model, int taps) {
+void upload_reflection(gpu::Device& device, DeviceTables& tables, const Model& model, int lobes) {
   const std::filesystem::path directory = home_directory() / "assets" / "tables";
   ModelTables& target = tables.of_model[index_of(model)];
   constexpr int energy_size = glsl::f32::ENERGY_TABLE_SIZE, size = glsl::f32::LOBE_TABLE_SIZE;
@@ -69,12 +69,12 @@ void upload_reflection(gpu::Device& device, DeviceTables& tables, const Model& m
   const std::vector<std::uint16_t> energy = halves(read_reflection_energy(directory, model).texels);
   device.upload(target.energy, 0, 0, std::as_bytes(std::span(energy)));
   target.lobe =
-      upload_volume(device, "lobe " + name(model), size, size * taps, glsl::f32::LOBE_TABLE_SLICES,
-                    read_reflection_lobes(directory, model, taps).texels);
+      upload_volume(device, "lobe " + name(model), size, size * lobes, glsl::f32::LOBE_TABLE_SLICES,
+                    read_reflection_lobes(directory, model, lobes).texels);
 }
 
 void upload_interfaces(gpu::Device& device, DeviceTables& tables, std::span<const Model> wanted,
-                       int taps) {
+                       int lobes) {
   namespace f32 = glsl::f32;
   const std::filesystem::path directory = home_directory() / "assets" / "tables";
   for (const Model& model : wanted) {
@@ -85,22 +85,22 @@ void upload_interfaces(gpu::Device& device, DeviceTables& tables, std::span<cons
                       read_interface_energy(directory, model).texels);
     target.interface_lobes =
         upload_volume(device, "interface lobes " + name(model), f32::INTERFACE_LOBE_COSINES,
-                      taps * f32::INTERFACE_LOBE_ALPHAS, 2 * f32::INTERFACE_SLICES,
-                      read_interface_lobes(directory, model, taps).texels);
+                      lobes * f32::INTERFACE_LOBE_ALPHAS, 2 * f32::INTERFACE_SLICES,
+                      read_interface_lobes(directory, model, lobes).texels);
   }
 }
 
-void upload_thin_walls(gpu::Device& device, DeviceTables& tables, const Model& model, int taps) {
+void upload_thin_walls(gpu::Device& device, DeviceTables& tables, const Model& model, int lobes) {
   namespace f32 = glsl::f32;
   const std::filesystem::path directory = home_directory() / "assets" / "tables";
-  const auto upload = [&](const char* what, int of_taps) {
+  const auto upload = [&](const char* what, int of_lobes) {
     return upload_volume(device, what + name(model), f32::THIN_WALL_COSINES,
-                         std::max(of_taps, 1) * f32::THIN_WALL_ALPHAS, f32::THIN_WALL_SLICES,
-                         read_thin_wall(directory, model, of_taps).texels);
+                         std::max(of_lobes, 1) * f32::THIN_WALL_ALPHAS, f32::THIN_WALL_SLICES,
+                         read_thin_wall(directory, model, of_lobes).texels);
   };
   ModelTables& target = tables.of_model[index_of(model)];
   target.wall_energy = upload("thin wall energy ", 0);
-  target.wall_lobes = upload("thin wall lobes ", taps);
+  target.wall_lobes = upload("thin wall lobes ", lobes);
 }
 
 } // namespace gg::tables

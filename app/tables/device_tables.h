@@ -8,8 +8,8 @@
 
 namespace gg::tables {
 
-// What shaders/environment/lobe_table_fetch.glsl, refraction/interface_table_fetch.glsl and refraction/thin_wall_table_fetch.glsl read,
-// for one model.
+// What shaders/environment/lobe_table_fetch.glsl, refraction/interface_table_fetch.glsl and refraction/thin_wall_table_fetch.glsl
+// read, for one model.
 struct ModelTables {
   gpu::TextureRef energy;           // sampler2D
   gpu::TextureRef lobe;             // sampler3D
@@ -28,15 +28,15 @@ struct DeviceTables {
 // No tables yet, and the sampler for all.
 DeviceTables make_tables(gpu::Device& device);
 
-// Reads assets/tables and adds the tables of a model's reflection, of so many taps (1 to 4). Throws Error(input) if a file is
+// Reads assets/tables and adds the tables of a model's reflection, of so many lobes (1 to 4). Throws Error(input) if a file is
 // missing or damaged.
-void upload_reflection(gpu::Device& device, DeviceTables& tables, const Model& model, int taps);
+void upload_reflection(gpu::Device& device, DeviceTables& tables, const Model& model, int lobes);
 
-// Adds the tables of what is transmitted, of so many taps (1 to 4), for these models.
+// Adds the tables of what is transmitted, of so many lobes (1 to 4), for these models.
 void upload_interfaces(gpu::Device& device, DeviceTables& tables, std::span<const Model> wanted,
-                       int taps);
+                       int lobes);
 
-// Adds the tables of a model's thin walls, of 1 or 2 taps.
-void upload_thin_walls(gpu::Device& device, DeviceTables& tables, const Model& model, int taps);
+// Adds the tables of a model's thin walls, of 1 or 2 lobes.
+void upload_thin_walls(gpu::Device& device, DeviceTables& tables, const Model& model, int lobes);
 
 } // namespace gg::tables

@@ -1,8 +1,8 @@
-// Tap sets over a whole table: every cell fitted, and all of them made to agree with their neighbours, so that what is
+// Sums of Gaussians over a whole table: every cell fitted, and all of them made to agree with their neighbours, so that what is
 // interpolated between two cells is again a good fit.
 #pragma once
 
-#include "tables/tap_fit.h"
+#include "tables/gaussian_fit.h"
 
 #include <functional>
 
@@ -29,11 +29,13 @@ struct Grid {
   }
 };
 
-// In table units, x fastest: for every cell as many Gaussians as taps. grid_steps() steps.
-std::vector<TapSet> fit_grid(const FitViews& views, const Grid& grid, int taps, const Step& step);
+// In table units, x fastest: for every cell as many Gaussians as gaussians. grid_steps() steps.
+std::vector<GaussianSum> fit_grid(const FitViews& views, const Grid& grid, int gaussians,
+                                  const Step& step);
 int grid_steps(const Grid& grid);
 
-// As texels of a table: offset, width, weight, 0; x fastest, then y, one block of rows after the other for every tap.
-std::vector<float> offsets_and_widths(const Grid& grid, const std::vector<TapSet>& sets, int taps);
+// As texels of a table: offset, width, weight, 0; x fastest, then y, one block of rows after the other for every gaussian.
+std::vector<float> offsets_and_widths(const Grid& grid, const std::vector<GaussianSum>& sets,
+                                      int gaussians);
 
 } // namespace gg::tables

@@ -40,13 +40,13 @@ TableLayout energy_layout() {
           1.5f}; // Phong gains energy
 }
 
-TableLayout lobe_layout(int taps) {
+TableLayout lobe_layout(int lobes) {
   return {
-      "interface-lobes" + std::to_string(taps) + "-",
+      "interface-lobes" + std::to_string(lobes) + "-",
       glsl::INTERFACE_LOBE_COSINES,
-      glsl::INTERFACE_LOBE_ALPHAS * taps * 2 * glsl::INTERFACE_SLICES,
+      glsl::INTERFACE_LOBE_ALPHAS * lobes * 2 * glsl::INTERFACE_SLICES,
       {"offset", "width", "weight"},
-      std::string(axes_text) + "; every slice holds the taps below each other, narrowest first",
+      std::string(axes_text) + "; every slice holds the lobes below each other, narrowest first",
       // Nearly smooth glass past the critical angle: what little gets through is many widths from Snell's direction.
       -512.0f,
       512.0f};
@@ -67,7 +67,7 @@ void write(const std::filesystem::path& directory, const InterfaceEnergyTable& t
 }
 
 void write(const std::filesystem::path& directory, const InterfaceLobeTable& table) {
-  write_table(directory, lobe_layout(table.taps), table.model, table.texels);
+  write_table(directory, lobe_layout(table.lobes), table.model, table.texels);
 }
 
 InterfaceEnergyTable read_interface_energy(const std::filesystem::path& directory,
@@ -76,8 +76,8 @@ InterfaceEnergyTable read_interface_energy(const std::filesystem::path& director
 }
 
 InterfaceLobeTable read_interface_lobes(const std::filesystem::path& directory, const Model& model,
-                                        int taps) {
-  return {model, taps, read_table(directory, lobe_layout(taps), model)};
+                                        int lobes) {
+  return {model, lobes, read_table(directory, lobe_layout(lobes), model)};
 }
 
 } // namespace gg::tables

@@ -9,14 +9,14 @@
 namespace gg::tables {
 
 // Sizes and axes are those of shaders/refraction/interface_table.glsl. RGBA texels, x (cosine) fastest, then y (alpha,
-// one block after the other for every tap), then the slices of eta, entering before leaving.
+// one block after the other for every lobe), then the slices of eta, entering before leaving.
 struct InterfaceEnergyTable {
   Model model;
   std::vector<float> texels; // transmitted, reflected, 0, 0
 };
 struct InterfaceLobeTable {
   Model model;
-  int taps = 1;
+  int lobes = 1;
   std::vector<float> texels; // (angle - Snell's) / width, sigma / width, weight, 0
 };
 
@@ -35,6 +35,6 @@ void write(const std::filesystem::path& directory, const InterfaceLobeTable& tab
 InterfaceEnergyTable read_interface_energy(const std::filesystem::path& directory,
                                            const Model& model);
 InterfaceLobeTable read_interface_lobes(const std::filesystem::path& directory, const Model& model,
-                                        int taps);
+                                        int lobes);
 
 } // namespace gg::tables

@@ -28,9 +28,9 @@ inline constexpr std::array<Model, 4> models = {{{Distribution::ggx, Smith::sepa
                                                  {Distribution::phong, Smith::separable}}};
 std::string name(const Model& model); // "ggx-separable"
 
-// Up to how many taps there are tables for. Two interfaces compose from two taps each, and more gain nothing there
+// Up to how many lobes there are tables for. Two interfaces compose from two lobes each, and more gain nothing there
 // (tests/composition); reflection reads as many as there are. Phong is kept for comparisons.
-inline int taps_of(const Model& model) {
+inline int lobes_of(const Model& model) {
   return model.distribution == Distribution::phong ? 2 : 4;
 }
 

@@ -28,12 +28,12 @@ int number_of(const Model& model) {
 
 } // namespace
 
-std::array<double, 4> texel_from(const ReflectionLobeTable& table, int tap, double cos_theta,
+std::array<double, 4> texel_from(const ReflectionLobeTable& table, int lobe, double cos_theta,
                                  double alpha, double edge) {
-  const f64::vec3 u = f64::lobeCoordinateOf(tap, table.taps, cos_theta, alpha, edge);
+  const f64::vec3 u = f64::lobeCoordinateOf(lobe, table.lobes, cos_theta, alpha, edge);
   return lookup<3>(
       table.texels,
-      {f64::LOBE_TABLE_SIZE, f64::LOBE_TABLE_SIZE * table.taps, f64::LOBE_TABLE_SLICES},
+      {f64::LOBE_TABLE_SIZE, f64::LOBE_TABLE_SIZE * table.lobes, f64::LOBE_TABLE_SLICES},
       {u.x, u.y, u.z});
 }
 
@@ -48,13 +48,13 @@ f64::LobeEnergy reflection_energy_at(const Model& model, double cos_theta, doubl
   return f64::lobeEnergy(f64::vec4(t[0], t[1], t[2], t[3]));
 }
 
-std::array<double, 4> reflection_texel_at(const Model& model, int tap, int taps, double cos_theta,
+std::array<double, 4> reflection_texel_at(const Model& model, int lobe, int lobes, double cos_theta,
                                           double alpha, double edge) {
   const auto& table = kept<ReflectionLobeTable>(
-      8 * taps + number_of(model), [&](const std::filesystem::path& directory) {
-        return read_reflection_lobes(directory, model, taps);
+      8 * lobes + number_of(model), [&](const std::filesystem::path& directory) {
+        return read_reflection_lobes(directory, model, lobes);
       });
-  return texel_from(table, tap, cos_theta, alpha, edge);
+  return texel_from(table, lobe, cos_theta, alpha, edge);
 }
 
 f64::InterfaceEnergy energy_from(const InterfaceEnergyTable& table, double cos_theta, double alpha,
@@ -67,14 +67,14 @@ f64::InterfaceEnergy energy_from(const InterfaceEnergyTable& table, double cos_t
   return f64::interfaceEnergy(f64::vec4(t[0], t[1], t[2], t[3]));
 }
 
-f64::InterfaceTap tap_from(const InterfaceLobeTable& table, int tap, double cos_theta, double alpha,
-                           double eta) {
-  const f64::vec3 u = f64::interfaceLobeCoordinate(tap, table.taps, cos_theta, alpha, eta);
+f64::InterfaceLobe lobe_from(const InterfaceLobeTable& table, int lobe, double cos_theta,
+                             double alpha, double eta) {
+  const f64::vec3 u = f64::interfaceLobeCoordinate(lobe, table.lobes, cos_theta, alpha, eta);
   const auto t = lookup<3>(table.texels,
-                           {f64::INTERFACE_LOBE_COSINES, f64::INTERFACE_LOBE_ALPHAS * table.taps,
+                           {f64::INTERFACE_LOBE_COSINES, f64::INTERFACE_LOBE_ALPHAS * table.lobes,
                             2 * f64::INTERFACE_SLICES},
                            {u.x, u.y, u.z});
-  return f64::interfaceTap(f64::vec4(t[0], t[1], t[2], t[3]), cos_theta, alpha, eta);
+  return f64::interfaceLobe(f64::vec4(t[0], t[1], t[2], t[3]), cos_theta, alpha, eta);
 }
 
 f64::InterfaceEnergy interface_energy_at(const Model& model, double cos_theta, double alpha,
@@ -86,13 +86,13 @@ f64::InterfaceEnergy interface_energy_at(const Model& model, double cos_theta, d
   return energy_from(table, cos_theta, alpha, eta);
 }
 
-f64::InterfaceTap interface_tap_at(const Model& model, int tap, int taps, double cos_theta,
-                                   double alpha, double eta) {
+f64::InterfaceLobe interface_lobe_at(const Model& model, int lobe, int lobes, double cos_theta,
+                                     double alpha, double eta) {
   const auto& table = kept<InterfaceLobeTable>(
-      8 * taps + number_of(model), [&](const std::filesystem::path& directory) {
-        return read_interface_lobes(directory, model, taps);
+      8 * lobes + number_of(model), [&](const std::filesystem::path& directory) {
+        return read_interface_lobes(directory, model, lobes);
       });
-  return tap_from(table, tap, cos_theta, alpha, eta);
+  return lobe_from(table, lobe, cos_theta, alpha, eta);
 }
 
 } // namespace gg::tables

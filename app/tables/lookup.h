@@ -36,24 +36,24 @@ std::array<double, 4> lookup(const std::vector<float>& texels, const std::array<
   return result;
 }
 
-// What fetchInterfaceEnergy and fetchInterfaceTap of shaders/refraction/interface_table_fetch.glsl return. Files are read
+// What fetchInterfaceEnergy and fetchInterfaceLobe of shaders/refraction/interface_table_fetch.glsl return. Files are read
 // once, on the first call (any thread may make it); throws Error(input) as reading them does.
 glsl::f64::InterfaceEnergy interface_energy_at(const Model& model, double cos_theta, double alpha,
                                                double eta);
-glsl::f64::InterfaceTap interface_tap_at(const Model& model, int tap, int taps, double cos_theta,
-                                         double alpha, double eta);
+glsl::f64::InterfaceLobe interface_lobe_at(const Model& model, int lobe, int lobes,
+                                           double cos_theta, double alpha, double eta);
 
-// What fetchLobeEnergy reads, and of fetchLobeTapOf the texel: lean, sigma / alpha, weight.
+// What fetchLobeEnergy reads, and of fetchReflectionLobeOf the texel: lean, sigma / alpha, weight.
 glsl::f64::LobeEnergy reflection_energy_at(const Model& model, double cos_theta, double alpha);
-std::array<double, 4> reflection_texel_at(const Model& model, int tap, int taps, double cos_theta,
+std::array<double, 4> reflection_texel_at(const Model& model, int lobe, int lobes, double cos_theta,
                                           double alpha, double edge);
 
 // The same from tables that are not (yet) in files.
-std::array<double, 4> texel_from(const ReflectionLobeTable& table, int tap, double cos_theta,
+std::array<double, 4> texel_from(const ReflectionLobeTable& table, int lobe, double cos_theta,
                                  double alpha, double edge);
 glsl::f64::InterfaceEnergy energy_from(const InterfaceEnergyTable& table, double cos_theta,
                                        double alpha, double eta);
-glsl::f64::InterfaceTap tap_from(const InterfaceLobeTable& table, int tap, double cos_theta,
-                                 double alpha, double eta);
+glsl::f64::InterfaceLobe lobe_from(const InterfaceLobeTable& table, int lobe, double cos_theta,
+                                   double alpha, double eta);
 
 } // namespace gg::tables

@@ -90,8 +90,9 @@ Grid interface_grid(const FitViews& views, const Model& model, const Step& step)
 }
 
 InterfaceLobeTable make_interface_lobes(const Model& model, const FitViews& views, const Grid& grid,
-                                        int taps, const Step& step) {
-  return {model, taps, offsets_and_widths(grid, fit_grid(views, grid, taps, step), taps)};
+                                        int gaussians, const Step& step) {
+  return {model, gaussians,
+          offsets_and_widths(grid, fit_grid(views, grid, gaussians, step), gaussians)};
 }
 
 } // namespace gg::tables

@@ -21,7 +21,7 @@ constexpr int lobe_points =
 // The lobe seen exactly along the surface has no density to sample by; this close to it, it has its limit's shape.
 constexpr double least_cos = 1e-3;
 
-// GGX's tail is as wide as the sphere whatever alpha; beyond these a tap's place says nothing that is seen.
+// GGX's tail is as wide as the sphere whatever alpha; beyond these a Gaussian's place says nothing that is seen.
 constexpr double greatest_width = 60.0, least_lean = -1.0, greatest_lean = 2.0;
 
 // The lean that leads from the mirror direction at angle `theta` to `angle` (both from the normal): see lobeDirection.
@@ -104,24 +104,24 @@ Grid reflection_grid(const FitViews& views, const Model& model, const Step& step
 }
 
 ReflectionLobeTable make_reflection_lobes(const Model& model, const FitViews& views,
-                                          const Grid& grid, int taps, const Step& step) {
-  const std::vector<TapSet> sets = fit_grid(views, grid, taps, step);
-  ReflectionLobeTable table{model, taps, {}};
-  table.texels.resize(4 * static_cast<std::size_t>(taps) * grid.cells.size());
+                                          const Grid& grid, int gaussians, const Step& step) {
+  const std::vector<GaussianSum> sets = fit_grid(views, grid, gaussians, step);
+  ReflectionLobeTable table{model, gaussians, {}};
+  table.texels.resize(4 * static_cast<std::size_t>(gaussians) * grid.cells.size());
   for (int slice = 0; slice < grid.nz; ++slice)
-    for (int k = 0; k < taps; ++k)
+    for (int k = 0; k < gaussians; ++k)
       for (int y = 0; y < grid.ny; ++y)
         for (int x = 0; x < grid.nx; ++x) {
-          const auto tap = static_cast<std::size_t>(k);
-          const Gaussian& g = sets[grid.index(x, y, slice)][tap];
+          const auto gaussian = static_cast<std::size_t>(k);
+          const Gaussian& g = sets[grid.index(x, y, slice)][gaussian];
           float* texel = &table.texels[4
                                        * static_cast<std::size_t>(
-                                           ((slice * taps + k) * grid.ny + y) * grid.nx + x)];
+                                           ((slice * gaussians + k) * grid.ny + y) * grid.nx + x)];
           // Straight down the mirror direction is the normal, and how far to lean between them means nothing: the
           // neighbour's.
           const std::size_t leans = grid.index(std::min(x, grid.nx - 2), y, slice);
           const GridCell& cell = grid.cells[leans];
-          const double angle = cell.centre + sets[leans][tap].angle * cell.unit;
+          const double angle = cell.centre + sets[leans][gaussian].angle * cell.unit;
           texel[0] = y == 0 ? 0.0f : static_cast<float>(lean_of(angle, cell.centre));
           texel[1] = static_cast<float>(std::min(g.sigma, greatest_width));
           texel[2] = static_cast<float>(g.weight);

@@ -12,11 +12,11 @@ EnergyCell make_reflection_energy_cell(const Model& model, int x, int y);
 ReflectionEnergyTable make_reflection_energy(const Model& model, const Step& step);
 int reflection_energy_steps();
 
-// One node of the lobes' grid: what its taps are fitted to.
+// One node of the lobes' grid: what its gaussians are fitted to.
 GridCell reflection_cell(const FitViews& views, const Model& model, int x, int y, int slice);
 Grid reflection_grid(const FitViews& views, const Model& model, const Step& step);
 ReflectionLobeTable make_reflection_lobes(const Model& model, const FitViews& views,
-                                          const Grid& grid, int taps, const Step& step);
+                                          const Grid& grid, int gaussians, const Step& step);
 int reflection_grid_steps();
 int reflection_lobe_steps();
 

@@ -32,7 +32,7 @@ public:
     if (!views_) views_.emplace(make_fit_views(&progress_));
     return *views_;
   }
-  // The grid that lobes are fitted on, kept for the tables of other numbers of taps.
+  // The grid that lobes are fitted on, kept for the tables of other numbers of gaussians.
   const Grid& grid(const std::string& of, const std::function<Grid()>& make) {
     if (grid_of_ != of) {
       grid_ = {};
@@ -63,36 +63,39 @@ std::vector<Task> tasks(Workshop& shop) {
         {"interface-energy-" + of, interface_energy_steps(), 1, [&shop, model](auto& step) {
            write(shop.directory(), make_interface_energy(model, step));
          }});
-    for (int taps = 1; taps <= taps_of(model); ++taps)
-      list.push_back({"reflection-lobes" + std::to_string(taps) + "-" + of, reflection_lobe_steps(),
-                      taps, [&shop, model, taps, of, none](auto& step) {
+    for (int gaussians = 1; gaussians <= lobes_of(model); ++gaussians)
+      list.push_back({"reflection-lobes" + std::to_string(gaussians) + "-" + of,
+                      reflection_lobe_steps(), gaussians,
+                      [&shop, model, gaussians, of, none](auto& step) {
                         const Grid& grid = shop.grid("reflection-" + of, [&] {
                           return reflection_grid(shop.views(), model, none);
                         });
                         write(shop.directory(),
-                              make_reflection_lobes(model, shop.views(), grid, taps, step));
+                              make_reflection_lobes(model, shop.views(), grid, gaussians, step));
                       }});
-    for (int taps = 1; taps <= taps_of(model); ++taps)
-      list.push_back({"interface-lobes" + std::to_string(taps) + "-" + of, interface_lobe_steps(),
-                      taps, [&shop, model, taps, of, none](auto& step) {
+    for (int gaussians = 1; gaussians <= lobes_of(model); ++gaussians)
+      list.push_back({"interface-lobes" + std::to_string(gaussians) + "-" + of,
+                      interface_lobe_steps(), gaussians,
+                      [&shop, model, gaussians, of, none](auto& step) {
                         const Grid& grid = shop.grid("interface-" + of, [&] {
                           return interface_grid(shop.views(), model, none);
                         });
                         write(shop.directory(),
-                              make_interface_lobes(model, shop.views(), grid, taps, step));
+                              make_interface_lobes(model, shop.views(), grid, gaussians, step));
                       }});
     list.push_back(
         {"thin-wall-energy-" + of, thin_wall_grid_steps(), 1, [&shop, model](auto& step) {
            write(shop.directory(), thin_wall_grid(shop.views(), model, step).energy);
          }});
-    for (int taps = 1; taps <= most_wall_taps; ++taps)
-      list.push_back({"thin-wall-lobes" + std::to_string(taps) + "-" + of, thin_wall_lobe_steps(),
-                      taps, [&shop, model, taps, of, none](auto& step) {
+    for (int gaussians = 1; gaussians <= most_wall_lobes; ++gaussians)
+      list.push_back({"thin-wall-lobes" + std::to_string(gaussians) + "-" + of,
+                      thin_wall_lobe_steps(), gaussians,
+                      [&shop, model, gaussians, of, none](auto& step) {
                         const Grid& grid = shop.grid("wall-" + of, [&] {
                           return thin_wall_grid(shop.views(), model, none).grid;
                         });
                         write(shop.directory(),
-                              make_thin_wall_lobes(model, shop.views(), grid, taps, step));
+                              make_thin_wall_lobes(model, shop.views(), grid, gaussians, step));
                       }});
   }
   return list;

@@ -59,12 +59,12 @@ struct Lobe {
   f64::vec3 usual_direction() const {
     return side == Side::reflection
                ? f64::reflectAbout(wo(), up)
-               : f64::interfaceTapDirection(wo(), up, f64::interfaceSnell(cos_theta, eta));
+               : f64::interfaceLobeDirection(wo(), up, f64::interfaceSnell(cos_theta, eta));
   }
   double usual_alpha() const {
     return side == Side::reflection ? alpha : scaled_by_index(alpha, std::max(eta, 1.0 / eta));
   }
-  std::vector<Lookup> taps(int count) const {
+  std::vector<Lookup> lobes(int count) const {
     std::vector<Lookup> list;
     for (int k = 0; k < count; ++k) {
       if (side == Side::reflection) {
@@ -72,8 +72,8 @@ struct Lobe {
         list.push_back(
             {f64::lobeDirection(f64::reflectAbout(wo(), up), up, t[0]), t[1] * alpha, t[2]});
       } else {
-        const auto t = interface_tap_at(model, k, count, cos_theta, alpha, eta);
-        list.push_back({f64::interfaceTapDirection(wo(), up, t.angle), t.sigma, t.weight});
+        const auto t = interface_lobe_at(model, k, count, cos_theta, alpha, eta);
+        list.push_back({f64::interfaceLobeDirection(wo(), up, t.angle), t.sigma, t.weight});
       }
     }
     return list;
@@ -159,8 +159,8 @@ Scores score(const Training& maps, const Model& model, Side side, const Sweep& s
                              maps, truth,
                              std::vector<Lookup>{{lobe.usual_direction(),
                                                   mirror_width(model, lobe.usual_alpha()), 1.0}}));
-        for (int k = 1; k <= taps_of(model); ++k)
-          note("taps" + std::to_string(k), squared_log_errors(maps, truth, lobe.taps(k)));
+        for (int k = 1; k <= lobes_of(model); ++k)
+          note("lobes" + std::to_string(k), squared_log_errors(maps, truth, lobe.lobes(k)));
         note("fis32", squared_log_errors(maps, truth,
                                          radiance(maps, lobe.samples(sampled_points), {}, 0.35)));
       }
@@ -191,8 +191,8 @@ int proof_rows() {
 }
 
 std::string proof_table(const std::vector<ProofRow>& rows) {
-  std::string text = "| model | lobe | lobes | standard | 1 tap | 2 | 3 | 4 | 32 samples | "
-                     "photographs: standard | 1 tap | 2 | 4 |\n"
+  std::string text = "| model | lobe | lobes | standard | 1 lobe | 2 | 3 | 4 | 32 samples | "
+                     "photographs: standard | 1 lobe | 2 | 4 |\n"
                      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const ProofRow& row : rows) {
     const Scores& s = row.scores;
@@ -209,9 +209,9 @@ std::string proof_table(const std::vector<ProofRow>& rows) {
     text += fmt::format("| {} | {} | {} | {:.3f} |", name(row.model), row.lobes, s.lobes,
                         s.rms("standard"));
     for (int k = 1; k <= 4; ++k)
-      text += cell("taps" + std::to_string(k));
-    text += cell("fis32") + fmt::format(" {:.3f} |", s.rms_pictures("standard")) + picture("taps1")
-            + picture("taps2") + picture("taps4") + "\n";
+      text += cell("lobes" + std::to_string(k));
+    text += cell("fis32") + fmt::format(" {:.3f} |", s.rms_pictures("standard")) + picture("lobes1")
+            + picture("lobes2") + picture("lobes4") + "\n";
   }
   return text;
 }

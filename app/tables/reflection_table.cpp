@@ -22,15 +22,16 @@ TableLayout energy_layout() {
           1.5f}; // Phong gains energy
 }
 
-TableLayout lobe_layout(int taps) {
-  return {"reflection-lobes" + std::to_string(taps) + "-",
-          lobe_size,
-          lobe_size * taps * lobe_slices,
-          {"lean", "width", "weight"},
-          "x sqrt(cos theta), y sqrt(alpha), nodes at i / (size - 1); below each other the share "
-          "of Schlick's edge, 0 to 1; every slice holds the taps below each other, narrowest first",
-          -2.0f,
-          64.0f};
+TableLayout lobe_layout(int lobes) {
+  return {
+      "reflection-lobes" + std::to_string(lobes) + "-",
+      lobe_size,
+      lobe_size * lobes * lobe_slices,
+      {"lean", "width", "weight"},
+      "x sqrt(cos theta), y sqrt(alpha), nodes at i / (size - 1); below each other the share "
+      "of Schlick's edge, 0 to 1; every slice holds the lobes below each other, narrowest first",
+      -2.0f,
+      64.0f};
 }
 
 } // namespace
@@ -49,7 +50,7 @@ void write(const std::filesystem::path& directory, const ReflectionEnergyTable& 
 }
 
 void write(const std::filesystem::path& directory, const ReflectionLobeTable& table) {
-  write_table(directory, lobe_layout(table.taps), table.model, table.texels);
+  write_table(directory, lobe_layout(table.lobes), table.model, table.texels);
 }
 
 ReflectionEnergyTable read_reflection_energy(const std::filesystem::path& directory,
@@ -58,8 +59,8 @@ ReflectionEnergyTable read_reflection_energy(const std::filesystem::path& direct
 }
 
 ReflectionLobeTable read_reflection_lobes(const std::filesystem::path& directory,
-                                          const Model& model, int taps) {
-  return {model, taps, read_table(directory, lobe_layout(taps), model)};
+                                          const Model& model, int lobes) {
+  return {model, lobes, read_table(directory, lobe_layout(lobes), model)};
 }
 
 } // namespace gg::tables

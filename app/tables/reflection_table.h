@@ -14,10 +14,10 @@ struct ReflectionEnergyTable {
   Model model;
   std::vector<float> texels; // albedo for F = 1, cos1, cos2, share1 (energy.h)
 };
-// One block of rows after the other for every tap; third axis the share of the energy from Schlick's edge.
+// One block of rows after the other for every lobe; third axis the share of the energy from Schlick's edge.
 struct ReflectionLobeTable {
   Model model;
-  int taps = 1;
+  int lobes = 1;
   std::vector<float> texels; // lean, sigma / alpha, weight, 0
 };
 
@@ -34,6 +34,6 @@ void write(const std::filesystem::path& directory, const ReflectionLobeTable& ta
 ReflectionEnergyTable read_reflection_energy(const std::filesystem::path& directory,
                                              const Model& model);
 ReflectionLobeTable read_reflection_lobes(const std::filesystem::path& directory,
-                                          const Model& model, int taps);
+                                          const Model& model, int lobes);
 
 } // namespace gg::tables

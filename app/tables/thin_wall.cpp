@@ -129,8 +129,8 @@ WallGrid thin_wall_grid(const FitViews& views, const Model& model, const Step& s
 }
 
 ThinWallTable make_thin_wall_lobes(const Model& model, const FitViews& views, const Grid& grid,
-                                   int taps, const Step& step) {
-  return {model, taps, offsets_and_widths(grid, fit_grid(views, grid, taps, step), taps)};
+                                   int lobes, const Step& step) {
+  return {model, lobes, offsets_and_widths(grid, fit_grid(views, grid, lobes, step), lobes)};
 }
 
 } // namespace gg::tables

@@ -20,14 +20,14 @@ struct WallLight {
 // `eta` > 1 of the wall over its surroundings; `count` paths, each followed until less than 1e-4 of it is left inside.
 WallLight through_wall(const Model& model, double alpha, double cos_theta, double eta, int count);
 
-// All cells: the energies, and what taps are fitted to.
+// All cells: the energies, and what lobes are fitted to.
 struct WallGrid {
   ThinWallTable energy;
   Grid grid;
 };
 WallGrid thin_wall_grid(const FitViews& views, const Model& model, const Step& step);
 ThinWallTable make_thin_wall_lobes(const Model& model, const FitViews& views, const Grid& grid,
-                                   int taps, const Step& step);
+                                   int lobes, const Step& step);
 int thin_wall_grid_steps();
 int thin_wall_lobe_steps();
 

@@ -13,11 +13,11 @@ namespace glsl = gg::glsl::f64;
 
 constexpr double least_cos = 1e-3, least_share = 5e-4; // as in interface_table.cpp
 
-TableLayout layout(int taps) {
+TableLayout layout(int lobes) {
   const std::string axes = "x sqrt(cos theta), y sqrt(alpha), nodes at i / (size - 1); below each "
                            "other (n - 1) / (n + 1) for n from 1 to 4";
   const int height = glsl::THIN_WALL_ALPHAS * glsl::THIN_WALL_SLICES;
-  if (taps == 0)
+  if (lobes == 0)
     return {"thin-wall-energy-",
             glsl::THIN_WALL_COSINES,
             height,
@@ -25,11 +25,11 @@ TableLayout layout(int taps) {
             axes,
             0.0f,
             1.5f}; // Phong gains energy
-  return {"thin-wall-lobes" + std::to_string(taps) + "-",
+  return {"thin-wall-lobes" + std::to_string(lobes) + "-",
           glsl::THIN_WALL_COSINES,
-          height * taps,
+          height * lobes,
           {"offset", "width", "weight"},
-          axes + "; every slice holds the taps below each other, narrowest first",
+          axes + "; every slice holds the lobes below each other, narrowest first",
           -64.0f,
           64.0f};
 }
@@ -45,11 +45,12 @@ WallAxes thin_wall_axes(int x, int y, int slice) {
 }
 
 void write(const std::filesystem::path& directory, const ThinWallTable& table) {
-  write_table(directory, layout(table.taps), table.model, table.texels);
+  write_table(directory, layout(table.lobes), table.model, table.texels);
 }
 
-ThinWallTable read_thin_wall(const std::filesystem::path& directory, const Model& model, int taps) {
-  return {model, taps, read_table(directory, layout(taps), model)};
+ThinWallTable read_thin_wall(const std::filesystem::path& directory, const Model& model,
+                             int lobes) {
+  return {model, lobes, read_table(directory, layout(lobes), model)};
 }
 
 } // namespace gg::tables

@@ -11,11 +11,11 @@ namespace gg::tables {
 // Sizes and axes are those of shaders/refraction/thin_wall_table.glsl; texels as in interface_table.h.
 struct ThinWallTable {
   Model model;
-  int taps =
+  int lobes =
       0; // 0: energies (transmitted, reflected first and later), else lobes (offset, width, weight)
   std::vector<float> texels; // RGBA
 };
-inline constexpr int most_wall_taps = 2;
+inline constexpr int most_wall_lobes = 2;
 
 struct WallAxes {
   double cos_theta, alpha, eta;
@@ -26,6 +26,6 @@ WallAxes thin_wall_axes(int x, int y, int slice);
 // thin-wall-energy-NAME.exr and thin-wall-lobesK-NAME.exr, slices below each other. Reading throws Error(input) if a file is
 // missing or is not such a table.
 void write(const std::filesystem::path& directory, const ThinWallTable& table);
-ThinWallTable read_thin_wall(const std::filesystem::path& directory, const Model& model, int taps);
+ThinWallTable read_thin_wall(const std::filesystem::path& directory, const Model& model, int lobes);
 
 } // namespace gg::tables

@@ -1,4 +1,4 @@
-// Made-up environments with the contrasts of real ones, from seeds: what one-tap Gaussians are fitted and tested on, so that
+// Made-up environments with the contrasts of real ones, from seeds: what one-lobe Gaussians are fitted and tested on, so that
 // the tables depend on nothing but the program.
 #pragma once
 

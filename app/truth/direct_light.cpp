@@ -9,7 +9,7 @@
 
 namespace gg::truth {
 
-void Integrator::add_direct_light(Walk& walk, Path path, const Meeting& m,
+void Integrator::add_direct_light(Walk& walk, Path path, const Intersection& m,
                                   const Closure& closure) const {
   if (closure.only_deltas()) return;
   path.scattered = true; // here
@@ -144,7 +144,7 @@ glm::dvec3 Integrator::straight_through(const Crossing& crossing, const Ray& ray
     return unbent(s, medium, media_.at(crossing.beyond.inside), channel).value_or(glm::dvec3(0.0));
   // A smooth wall: all orders of inner reflection, t² / (1 - r²). A plate moves light aside.
   if (through_walls && s.kind == SurfaceKind::thin && s.alpha == 0.0 && s.thickness == 0.0) {
-    Meeting m{.surface = s, .wo = s.wo};
+    Intersection m{.surface = s, .wo = s.wo};
     m.ior_before = media_.ior(medium, channel);
     m.ior_beyond = static_cast<double>(s.material->ior);
     const Closure outer = closure_at(m, 0.0);

@@ -28,9 +28,9 @@ Sample Integrator::trace(const Ray& camera_ray, Random& random) const {
   walk.paths.push_back({.ray = camera_ray, .from = camera_ray.origin, .where = around_eye_});
   while (true) {
     if (!walk.at_surfaces.empty()) {
-      const auto [path, meeting] = std::move(walk.at_surfaces.back());
+      const auto [path, intersection] = std::move(walk.at_surfaces.back());
       walk.at_surfaces.pop_back();
-      scatter(walk, path, meeting);
+      scatter(walk, path, intersection);
     } else if (!walk.paths.empty()) {
       const Path path = walk.paths.back();
       walk.paths.pop_back();
@@ -59,44 +59,47 @@ void Integrator::advance(Walk& walk, Path path) const {
     }
     if (walk.sample.object == 0) walk.sample.object = 1 + crossing.hit->part->instance;
 
-    Meeting meeting{.surface = surfaces_.read(*crossing.hit, -direction), .wo = -direction};
-    const Surface& surface = meeting.surface;
+    Intersection intersection{.surface = surfaces_.read(*crossing.hit, -direction),
+                              .wo = -direction};
+    const Surface& surface = intersection.surface;
     if (surface.kind == SurfaceKind::unlit) {
       add(walk, path, path.throughput * surface.base_color);
       return;
     }
     add(walk, path, path.throughput * surface.emissive);
 
-    meeting.before = crossing.before;
-    meeting.beyond = crossing.beyond;
-    const SolidId next = media_.at(meeting.beyond.inside);
+    intersection.before = crossing.before;
+    intersection.beyond = crossing.beyond;
+    const SolidId next = media_.at(intersection.beyond.inside);
     if (settings_.transport == Transport::surface_only) path.open = surface.occlusion;
     const bool splits =
         path.channel == white && (media_.disperses(medium) || media_.disperses(next));
-    if (!splits) return meet(walk, path, meeting, medium, next);
+    if (!splits) return meet(walk, path, intersection, medium, next);
     for (int c = 0; c < 3; ++c) {
       Path one = path;
       one.channel = c;
       one.throughput = glm::dvec3(0.0);
       one.throughput[c] = path.throughput[c];
-      if (path.throughput[c] > 0.0) meet(walk, one, meeting, medium, next);
+      if (path.throughput[c] > 0.0) meet(walk, one, intersection, medium, next);
     }
     return;
   }
 }
 
-void Integrator::meet(Walk& walk, Path path, Meeting meeting, SolidId medium, SolidId next) const {
-  meeting.ior_before = media_.ior(medium, path.channel);
-  meeting.ior_beyond = meeting.solid() ? media_.ior(next, path.channel)
-                                       : static_cast<double>(meeting.surface.material->ior);
-  if (meeting.solid())
-    if (const auto passed = unbent(meeting.surface, medium, next, path.channel)) {
+void Integrator::meet(Walk& walk, Path path, Intersection intersection, SolidId medium,
+                      SolidId next) const {
+  intersection.ior_before = media_.ior(medium, path.channel);
+  intersection.ior_beyond = intersection.solid()
+                                ? media_.ior(next, path.channel)
+                                : static_cast<double>(intersection.surface.material->ior);
+  if (intersection.solid())
+    if (const auto passed = unbent(intersection.surface, medium, next, path.channel)) {
       path.throughput *= *passed;
-      path.where = meeting.beyond;
+      path.where = intersection.beyond;
       walk.paths.push_back(path);
       return;
     }
-  scatter(walk, path, meeting);
+  scatter(walk, path, intersection);
 }
 
 // What a solid's boundary lets straight through if it neither bends nor reflects light: all, inside
@@ -151,39 +154,40 @@ Interface Integrator::interface_at(const Surface& s, double near_ior, double far
   return i;
 }
 
-Closure Integrator::closure_at(const Meeting& meeting, double power) const {
-  using Face = Meeting::Face;
-  const Surface& s = meeting.surface;
-  const glm::dvec3 n = meeting.by_triangle ? s.geometric : s.n;
-  if (meeting.face == Face::first) {
+Closure Integrator::closure_at(const Intersection& intersection, double power) const {
+  using Face = Intersection::Face;
+  const Surface& s = intersection.surface;
+  const glm::dvec3 n = intersection.by_triangle ? s.geometric : s.n;
+  if (intersection.face == Face::first) {
     // A wall tints what reaches its other side, once.
-    const glm::dvec3 tint = meeting.solid() ? tint_of(s) : glm::dvec3(1.0);
-    return Closure(
-        interface_at(s, meeting.ior_before, meeting.ior_beyond, tint, meeting.from_within()),
-        meeting.by_triangle ? face_viewer(n, meeting.wo) : n, meeting.wo, power);
+    const glm::dvec3 tint = intersection.solid() ? tint_of(s) : glm::dvec3(1.0);
+    return Closure(interface_at(s, intersection.ior_before, intersection.ior_beyond, tint,
+                                intersection.from_within()),
+                   intersection.by_triangle ? face_viewer(n, intersection.wo) : n, intersection.wo,
+                   power);
   }
   // A wall is one surface, of which the clear share is met once; a plate has two.
   Surface clear = s;
-  if (!meeting.from_within()) {
+  if (!intersection.from_within()) {
     clear.metallic = 0.0;
     clear.transmission = 1.0;
   }
-  const bool far = meeting.face == Face::far;
+  const bool far = intersection.face == Face::far;
   const glm::dvec3 tint = far ? s.base_color : glm::dvec3(1.0);
-  return Closure(
-      interface_at(clear, meeting.ior_beyond, meeting.ior_before, tint, meeting.from_within()),
-      face_viewer(far ? n : -n, meeting.wo), meeting.wo, power);
+  return Closure(interface_at(clear, intersection.ior_beyond, intersection.ior_before, tint,
+                              intersection.from_within()),
+                 face_viewer(far ? n : -n, intersection.wo), intersection.wo, power);
 }
 
-void Integrator::scatter(Walk& walk, const Path& path, const Meeting& meeting) const {
-  const Closure closure = closure_at(meeting, path.power());
-  add_direct_light(walk, path, meeting, closure);
+void Integrator::scatter(Walk& walk, const Path& path, const Intersection& intersection) const {
+  const Closure closure = closure_at(intersection, path.power());
+  add_direct_light(walk, path, intersection, closure);
   for (const Drawn& drawn : closure.sample(walk.random))
-    follow(walk, path, meeting, drawn, closure.interface().eta);
+    follow(walk, path, intersection, drawn, closure.interface().eta);
 }
 
 // From face to face of a plate, which stand its thickness apart: absorbed on the way, and as far aside.
-void Integrator::cross_plate(Path& path, Meeting& m, const glm::dvec3& wi) const {
+void Integrator::cross_plate(Path& path, Intersection& m, const glm::dvec3& wi) const {
   if (!(m.surface.thickness > 0.0)) return;
   // A direction along the plate would never arrive. A thousandth of a right angle is longer than any
   // plate is wide.
@@ -196,8 +200,9 @@ void Integrator::cross_plate(Path& path, Meeting& m, const glm::dvec3& wi) const
   m.surface.hit.position += distance * wi;
 }
 
-void Integrator::follow(Walk& walk, Path path, Meeting m, const Drawn& drawn, double eta) const {
-  using Face = Meeting::Face;
+void Integrator::follow(Walk& walk, Path path, Intersection m, const Drawn& drawn,
+                        double eta) const {
+  using Face = Intersection::Face;
   const bool alone = settings_.transport == Transport::surface_only;
   const bool across = drawn.transmitted;
   const double eta2 = across ? eta * eta : 1.0;

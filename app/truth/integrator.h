@@ -24,7 +24,7 @@
 
 #include "truth/albedo.h"
 #include "truth/environment_light.h"
-#include "truth/meeting.h"
+#include "truth/intersection.h"
 #include "truth/sample.h"
 
 namespace gg::truth {
@@ -59,17 +59,18 @@ private:
   struct Walk;
 
   void advance(Walk& walk, Path path) const;
-  void meet(Walk& walk, Path path, Meeting meeting, SolidId medium, SolidId next) const;
-  void scatter(Walk& walk, const Path& path, const Meeting& meeting) const;
-  void follow(Walk& walk, Path path, Meeting meeting, const Drawn& drawn, double eta) const;
-  void cross_plate(Path& path, Meeting& meeting, const glm::dvec3& wi) const;
+  void meet(Walk& walk, Path path, Intersection intersection, SolidId medium, SolidId next) const;
+  void scatter(Walk& walk, const Path& path, const Intersection& intersection) const;
+  void follow(Walk& walk, Path path, Intersection intersection, const Drawn& drawn,
+              double eta) const;
+  void cross_plate(Path& path, Intersection& intersection, const glm::dvec3& wi) const;
   bool survives(Walk& walk, Path& path) const;
   void add_environment(Walk& walk, const Path& path) const;
   // What a path brings to its sample, clamped if it was scattered.
   void add(Walk& walk, const Path& path, const glm::dvec3& radiance) const;
 
   // direct_light.cpp
-  void add_direct_light(Walk& walk, Path path, const Meeting& meeting,
+  void add_direct_light(Walk& walk, Path path, const Intersection& intersection,
                         const Closure& closure) const;
   glm::dvec3 shadow(Ray ray, glm::dvec3 from, Whereabouts where, int channel, bool through_walls,
                     Random& random) const;
@@ -78,7 +79,7 @@ private:
 
   std::optional<glm::dvec3> unbent(const Surface& surface, SolidId medium, SolidId next,
                                    int channel) const;
-  Closure closure_at(const Meeting& meeting, double power) const;
+  Closure closure_at(const Intersection& intersection, double power) const;
   Interface interface_at(const Surface& surface, double near_ior, double far_ior,
                          const glm::dvec3& tint, bool from_within) const;
 

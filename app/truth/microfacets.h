@@ -12,7 +12,7 @@
 namespace gg::truth {
 
 enum class Smith {
-  separable, // Walter 2007: shadowing and masking independent. The model of record
+  separable, // Walter 2007: shadowing and masking independent. The reference model
   correlated // 1 / (1 + Lambda_i + Lambda_o) in reflection, Beta(1 + Lambda_i, 1 + Lambda_o) in
              // transmission (Heitz 2016)
 };

@@ -14,8 +14,9 @@ inline constexpr int environment_candidates = 2;
 struct Integrator::Walk {
   Random& random;
   Sample sample;
-  std::vector<Path> paths;                           // on their way
-  std::vector<std::pair<Path, Meeting>> at_surfaces; // scattered, and to be scattered there again
+  std::vector<Path> paths; // on their way
+  std::vector<std::pair<Path, Intersection>>
+      at_surfaces; // scattered, and to be scattered there again
 };
 
 } // namespace gg::truth

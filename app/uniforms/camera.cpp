@@ -90,11 +90,11 @@ glm::dvec2 sample_position(int i, int count) {
   return {(i + 0.5) / count - 0.5, radical_inverse(i, 2) + 0.5 / count - 0.5};
 }
 
-glm::dvec3 beam_part(int i, int count) {
+glm::dvec3 lobe_stratum(int i, int count) {
   if (count < 3) return {0.0, 0.0, 1.0};
   // Half of the variance stays in each part's own lookup: a lamp then shows no beads, one for each part, at 4 samples or at 32, and
-  // the pyramid's levels, whose tail is nearer to a lobe's than a Gaussian's, keep theirs (rough slabs of one tap: relMSE .009 where
-  // all is kept, .014 with a half, .018 with a quarter; balls gain by a third with a half, by two fifths with a quarter).
+  // the pyramid's levels, whose tail is nearer to a lobe's than a Gaussian's, keep theirs (rough slabs of one lobe: relMSE .009
+  // where all is kept, .014 with a half, .018 with a quarter; balls gain by a third with a half, by two fifths with a quarter).
   const double kept = 0.5;
   std::vector<glm::dvec2> points = spiral(count);
   whiten(points, 1.0 - kept);

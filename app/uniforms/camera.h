@@ -20,10 +20,10 @@ glm::dmat4 offset_by_pixels(double x, double y, int width, int height);
 // centre. One sample is the centre itself.
 glm::dvec2 sample_position(int i, int count);
 
-// The part of every beam of light that the i-th of `count` samples of a pixel stands for, as
-// shaders/refraction/beam_part.glsl has it: xy in sigmas, z the share of the width kept. Over all
+// The part of every lobe of light that the i-th of `count` samples of a pixel stands for, as
+// shaders/refraction/lobe_stratum.glsl has it: xy in sigmas, z the share of the width kept. Over all
 // samples xy has the mean 0 and the variance 1 - z² along each axis, to rounding: together they are
-// the whole beam. Fewer than three cannot be: each is the whole beam then.
-glm::dvec3 beam_part(int i, int count);
+// the whole lobe. Fewer than three cannot be: each is the whole lobe then.
+glm::dvec3 lobe_stratum(int i, int count);
 
 } // namespace gg::uniforms

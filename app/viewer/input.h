@@ -11,8 +11,8 @@ struct Area {
   float width = 1.0f, height = 1.0f;
 };
 
-// After the panels have been built, which come first: keys that were pressed, movements with a button held, and of ImGui::GetIO() the
-// wheel. `seconds` since the last call, for the turntable.
+// After the panels have been built, which come first: keys that were pressed, movements with a button held, and of ImGui::GetIO()
+// the wheel. `seconds` since the last call, for the turntable.
 void take_input(Session& session, const Area& area, const std::vector<gpu::KeyPress>& keys,
                 const std::vector<gpu::Drag>& drags, double seconds);
 

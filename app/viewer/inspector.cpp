@@ -54,7 +54,7 @@ std::vector<LobeValue> exact_lobe(const f64::BsdfSurface& surface, double incide
   return values;
 }
 
-InspectedLobe reflected_lobe(const tables::Model& model, const Reflector& reflects, int taps,
+InspectedLobe reflected_lobe(const tables::Model& model, const Reflector& reflects, int lobes,
                              double cosine, double alpha) {
   InspectedLobe lobe;
   const f64::LobeEnergy energy = tables::reflection_energy_at(model, cosine, alpha);
@@ -62,20 +62,20 @@ InspectedLobe reflected_lobe(const tables::Model& model, const Reflector& reflec
   lobe.energy = energy.albedo * mean;
   const double edge = f64::edgeShare(reflects.at(1.0), mean);
   const f64::vec3 n(0.0, 0.0, 1.0), mirror(-std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
-  for (int tap = 0; tap < taps; ++tap) {
-    const auto texel = tables::reflection_texel_at(model, tap, taps, cosine, alpha, edge);
+  for (int k = 0; k < lobes; ++k) {
+    const auto texel = tables::reflection_texel_at(model, k, lobes, cosine, alpha, edge);
     const f64::vec3 direction = f64::lobeDirection(mirror, n, texel[0]);
     lobe.fitted.push_back({std::atan2(-direction.x, direction.z), texel[1] * alpha, texel[2]});
   }
   return lobe;
 }
 
-InspectedLobe passing_lobe(const tables::Model& model, double eta, int taps, double cosine,
+InspectedLobe passing_lobe(const tables::Model& model, double eta, int lobes, double cosine,
                            double alpha) {
   InspectedLobe lobe;
   lobe.energy = tables::interface_energy_at(model, cosine, alpha, eta).transmitted;
-  for (int tap = 0; tap < taps; ++tap) {
-    const f64::InterfaceTap found = tables::interface_tap_at(model, tap, taps, cosine, alpha, eta);
+  for (int k = 0; k < lobes; ++k) {
+    const f64::InterfaceLobe found = tables::interface_lobe_at(model, k, lobes, cosine, alpha, eta);
     lobe.fitted.push_back({found.angle, found.sigma, found.weight});
   }
   return lobe;
@@ -148,7 +148,7 @@ std::optional<Inspection> inspect(const scene::Scene& scene, const Ray& ray, nee
 
   const tables::Model model = needs::model_of(material, correlated_smith);
   const bool correlated = model.smith == tables::Smith::correlated;
-  const int taps = std::max(needs::reflection_taps(method, model), 1);
+  const int lobes = std::max(needs::reflection_lobes(method, model), 1);
   f64::BsdfSurface surface{
       false,
       static_cast<int>(material.distribution),
@@ -156,13 +156,13 @@ std::optional<Inspection> inspect(const scene::Scene& scene, const Ray& ray, nee
       reflects.eta,
       reflects.n,
       reflects.k};
-  found.reflected = reflected_lobe(model, reflects, taps, cosine, alpha);
+  found.reflected = reflected_lobe(model, reflects, lobes, cosine, alpha);
   found.reflected.exact = exact_lobe(surface, found.incidence, correlated);
   // An IOR of 1 bends nothing: no lobe.
   if (!needs::is_refractive(material) || found.eta == 1.0) return found;
   surface.transmits = true;
   found.passes =
-      passing_lobe(model, found.eta, std::max(needs::interface_taps(method), 1), cosine, alpha);
+      passing_lobe(model, found.eta, std::max(needs::interface_lobes(method), 1), cosine, alpha);
   found.passes.exact = exact_lobe(surface, found.incidence, correlated);
   if (material.thickness > 0.0f) found.leaves = exit_of(scene, *hit, direction, found.eta);
   return found;

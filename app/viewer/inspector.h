@@ -47,8 +47,8 @@ struct Inspection {
   std::optional<Exit> leaves;
 };
 
-// The Gaussians are those that the method reads; triangles' normals. Nothing where the ray meets nothing. Throws Error(input) if the
-// tables cannot be read.
+// The Gaussians are those that the method reads; triangles' normals. Nothing where the ray meets nothing. Throws Error(input) if
+// the tables cannot be read.
 std::optional<Inspection> inspect(const scene::Scene& scene, const Ray& ray, needs::Method method,
                                   bool correlated_smith);
 

@@ -1,5 +1,5 @@
-// What is looked at and how, as a command line says it: the viewer keeps its state in these words, so that the line that it copies is
-// exact.
+// What is looked at and how, as a command line says it: the viewer keeps its state in these words, so that the line that it
+// copies is exact.
 #pragma once
 
 #include "environment/map.h"

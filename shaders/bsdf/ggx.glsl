@@ -39,7 +39,7 @@ float ggxG1(Tilt w, float alpha) {
   return sum > 0.0 ? 2.0 * w.z / sum : 0.0;
 }
 
-// Separable: shadowing and masking independent. The model of record [Walter07].
+// Separable: shadowing and masking independent. The reference model [Walter07].
 float ggxG2(Tilt wi, Tilt wo, float alpha) { return ggxG1(wi, alpha) * ggxG1(wo, alpha); }
 
 // Height-correlated, for reflection only: 1 / (1 + Lambda_i + Lambda_o).

@@ -21,7 +21,7 @@ float transmissionScatter(Facet f, float d, float v, float eta) {
   return 4.0 * eta * f.wiDotM * v * (eta * f.woDotM / f.s * d) * through;
 }
 
-// Refraction squeezes a beam's solid angle, so radiance is not conserved across an interface; radiance / n² is. Power
+// Refraction squeezes a lobe's solid angle, so radiance is not conserved across an interface; radiance / n² is. Power
 // that leaves wo with T(wo) arrives from wi's medium as radiance L, and is seen as T L / eta². This is the only place
 // where that factor enters; it cancels on the way out of a solid, and stays for an eye inside the glass.
 float transmissionF(Facet f, float d, float v, float eta) {

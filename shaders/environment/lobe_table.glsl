@@ -1,7 +1,7 @@
 // lobe_table.glsl: where the tables of the reflection lobe are read, and what is made of what they hold.
 // Frame    any: n, wo, r unit; r the mirror image of wo.
 // alpha    slope width in [0, 1] (clamped).
-// Returns  energyCoordinate, lobeCoordinate (one tap), lobeCoordinateOf (of `taps`): texture coordinates in [0, 1].
+// Returns  energyCoordinate, lobeCoordinate (one lobe), lobeCoordinateOf (of `lobes`): texture coordinates in [0, 1].
 //          lobeAlbedo...: the fraction of light reflected, hemispherical-directional, single scattering, in [0, 1].
 //          edgeShare: how much of it comes from Schlick's edge, in [0, 1]. lobeDirection: unit. diffuseFresnel..: mean of F
 //          over the facets that join wo to a diffuse hemisphere.
@@ -26,10 +26,10 @@ struct LobeEnergy {
 };
 
 // One lookup in a Gaussian stack.
-struct LobeTap {
+struct ReflectionLobe {
   vec3 direction;
   float sigma;  // radians
-  float weight; // of K taps they sum to 1; tap 0 is the core, the narrowest
+  float weight; // of K lobes they sum to 1; lobe 0 is the core, the narrowest
 };
 
 // Square roots: grazing angles and small widths need the detail.
@@ -38,9 +38,9 @@ vec2 energyCoordinate(float cosTheta, float alpha) {
               tableCoordinate(sqrt(max(alpha, 0.0)), ENERGY_TABLE_SIZE));
 }
 
-vec3 lobeCoordinateOf(int tap, int taps, float cosTheta, float alpha, float edge) {
+vec3 lobeCoordinateOf(int lobe, int lobes, float cosTheta, float alpha, float edge) {
   return vec3(tableCoordinate(sqrt(max(cosTheta, 0.0)), LOBE_TABLE_SIZE),
-              blockCoordinate(sqrt(max(alpha, 0.0)), LOBE_TABLE_SIZE, tap, taps),
+              blockCoordinate(sqrt(max(alpha, 0.0)), LOBE_TABLE_SIZE, lobe, lobes),
               tableCoordinate(edge, LOBE_TABLE_SLICES));
 }
 

@@ -12,7 +12,7 @@ struct FrameData {
                         // w: last level of the screen pyramid
     vec4 boundsLow;     // xyz: the box that holds the scene, metres
     vec4 boundsHigh;
-    vec4 part;          // xyz: of every beam, the part that this sample of a pixel stands for (refraction/beam_part.glsl);
+    vec4 part;          // xyz: of every lobe, the part that this sample of a pixel stands for (refraction/lobe_stratum.glsl);
                         // w: variance per axis of the places in its share of the pixel, pixels²
     ivec4 counts;       // x: punctual lights; y: walls
     vec4 sunDirection;  // xyz: to the sun in the environment; w: half of its angular radius, sigma

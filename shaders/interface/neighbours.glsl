@@ -1,4 +1,5 @@
-// neighbours.glsl: what stands around a draw, as proxies: spheres, and rectangles. One text for GLSL and C++ (app/uniforms/blocks.h).
+// neighbours.glsl: what stands around a draw, as proxies: spheres, and rectangles. One text for GLSL and C++
+// (app/uniforms/blocks.h).
 
 struct NeighbourData {
     vec4 centre;   // xyz: metres; w: the sphere's radius, 0: a rectangle

@@ -1,9 +1,10 @@
-// region.glsl: a part of the picture that is shaded by its pixels. One text for GLSL and C++ (app/uniforms/blocks.h).
+// region.glsl: a part of the picture that takes deferred shading. One text for GLSL and C++ (app/uniforms/blocks.h).
 
 struct RegionData {
     vec4 box;  // clip coordinates over w: left, bottom, right, top
     vec4 back; // x: of glass the farthest depth of what is in it, of opaque surfaces a number of its own (material_depth.frag);
-               // y: of glass, pixels per side that one fragment stands for; z: of glass, the number of the solid (stages/object.glsl); w: none
+               // y: of glass, pixels per side that one fragment stands for; z: of glass, the number of the solid
+               // (stages/object.glsl); w: none
 };
 
 #ifndef __cplusplus

@@ -4,10 +4,10 @@
 // Returns  sphereFormFactor, rectangleFormFactor: in [0, 1], with weight cos / pi. capFormFactor: of a spherical cap of sin²(rho) =
 //          sin2, its axis at that cosine to n. rectangleVector: the same as a vector, whose product with any n is the form factor
 //          of what does not cross its horizon; it points to the middle of what is met.
-// Source   [Snyder96], a cap across the horizon; [Lambert60], an edge's share; [HillHeitz17], a polygon across the horizon as the cap
-//          of the same vector.
-// Limits   sphere exact, the point outside it. Rectangle exact above the horizon, else .01 rms, .06 at worst (tests/neighbours). On the sphere or
-//          in the plane of the rectangle: finite, in [0, 1].
+// Source   [Snyder96], a cap across the horizon; [Lambert60], an edge's share; [HillHeitz17], a polygon across the horizon as the
+//          cap of the same vector.
+// Limits   sphere exact, the point outside it. Rectangle exact above the horizon, else .01 rms, .06 at worst (tests/neighbours).
+//          On the sphere or in the plane of the rectangle: finite, in [0, 1].
 #ifndef GG_NEIGHBOURS_FORM_FACTOR_GLSL
 #define GG_NEIGHBOURS_FORM_FACTOR_GLSL
 

@@ -8,9 +8,9 @@
 //          curvature of its outline (a half-plane whose edge has geodesic curvature cot rho, to first order). Rectangle: the part
 //          of the lobe below its plane's horizon is a Gaussian of that part's mean and variance, cut by the great circles of
 //          the four edges, those opposite each other exactly. Normal integral [Page77].
-// Limits   rms / worst error of the share over radii and angles, against the series and against quadrature (tests/neighbours): sphere
-//          .004 / .017 for sigma up to .35, .015 / .036 at .65; rectangle .03 / .18 for sigma up to .35, .053 / .17 at .65, worst
-//          where it is seen along its plane, a corner first.
+// Limits   rms / worst error of the share over radii and angles, against the series and against quadrature (tests/neighbours):
+//          sphere .004 / .017 for sigma up to .35, .015 / .036 at .65; rectangle .03 / .18 for sigma up to .35, .053 / .17 at
+//          .65, worst where it is seen along its plane, a corner first.
 #ifndef GG_NEIGHBOURS_LOBE_SHARE_GLSL
 #define GG_NEIGHBOURS_LOBE_SHARE_GLSL
 

@@ -11,7 +11,7 @@
 
 #include "refraction/convex_body.glsl"
 #include "refraction/exit_search.glsl"
-#include "refraction/scene_meeting.glsl"
+#include "refraction/scene_intersection.glsl"
 
 vec4 engineBackFace(vec2 at);
 

@@ -1,10 +1,10 @@
-// composition_view.glsl: a rough exit as one tap of the entry sees it: where its tables are read.
-// Frame    any. InnerTap.direction travels inside, unit; n points outward where it leaves. Either side may be the denser one.
+// composition_view.glsl: a rough exit as one lobe of the entry sees it: where its tables are read.
+// Frame    any. InnerLobe.direction travels inside, unit; n points outward where it leaves. Either side may be the denser one.
 // alpha    slope width of the exit, [0, 1]; sigma: radians. eta = n_outside / n_inside at the exit (> 0).
 // Returns  wideningGgx, wideningBeckmann: the rule's constants. exitTurn, sphereTurn: ExitSurface.turn of a face of known
 //          curvature. seeExit: widths in [0, 1]. leavingNextAlpha: of the face that reflected light meets next, in [0, 1].
 // Source   [Walter07] for the model; the constants are fits to brute force (tests/composition).
-// Limits   those of composition.glsl. About 20 multiply-adds and 3 square roots per inner tap.
+// Limits   those of composition.glsl. About 20 multiply-adds and 3 square roots per inner lobe.
 #ifndef GG_REFRACTION_COMPOSITION_VIEW_GLSL
 #define GG_REFRACTION_COMPOSITION_VIEW_GLSL
 
@@ -17,7 +17,7 @@ struct ExitSurface {
 };
 
 // One Gaussian of the light inside.
-struct InnerTap {
+struct InnerLobe {
   vec3 direction;
   float sigma;
   float weight; // energy included
@@ -27,35 +27,35 @@ struct InnerTap {
 struct Widening {
   float shape;      // for directions and widths. The tables' own sigma per alpha and radian of facet tilt is about 1 / shape
   float shapeRays;  // the same where the face is smooth and all of the width the ray's: then only the tables' core is read
-  float energyCore; // for the energy let through: of the entry's first tap, of its second
+  float energyCore; // for the energy let through: of the entry's first lobe, of its second
   float energyTail;
 };
 
-// The exit as one inner tap sees it.
+// The exit as one inner lobe sees it.
 struct ExitView {
-  float cosTheta;    // on the inner side; not above 0: the tap does not meet this face
+  float cosTheta;    // on the inner side; not above 0: the lobe does not meet this face
   float alphaShape;  // where the lobe is read
   float alphaEnergy; // where what passes is read
   float own;   // the share of alphaShape² that is the face's own
   float swing; // turn of the angle of incidence per radian of the inner direction, not 0
 };
 
-// Fitted to brute force for tables of that many taps.
-Widening wideningGgx(int taps) {
+// Fitted to brute force for tables of that many lobes.
+Widening wideningGgx(int lobes) {
   Widening k;
-  k.shape = taps > 1 ? 0.7 : 0.6;
-  k.shapeRays = taps > 1 ? 0.91 : 0.6;
-  k.energyCore = taps > 1 ? 1.05 : 0.95;
+  k.shape = lobes > 1 ? 0.7 : 0.6;
+  k.shapeRays = lobes > 1 ? 0.91 : 0.6;
+  k.energyCore = lobes > 1 ? 1.05 : 0.95;
   k.energyTail = 0.85;
   return k;
 }
 
 // Beckmann's Gaussian slopes are narrower than GGX's of the same alpha: the same spread of rays is worth more of it.
-Widening wideningBeckmann(int taps) {
+Widening wideningBeckmann(int lobes) {
   Widening k;
-  k.shape = taps > 1 ? 1.0 : 1.2;
-  k.shapeRays = taps > 1 ? 1.3 : 1.2;
-  k.energyCore = taps > 1 ? 1.3 : 1.5;
+  k.shape = lobes > 1 ? 1.0 : 1.2;
+  k.shapeRays = lobes > 1 ? 1.3 : 1.2;
+  k.energyCore = lobes > 1 ? 1.3 : 1.5;
   k.energyTail = 1.6;
   return k;
 }
@@ -77,7 +77,7 @@ const float LEAST_SWING = 0.05;
 
 // The exit cannot tell a spread of rays from a spread of its facets: widened by the ray, its own table holds the edge of total
 // reflection, the bent mean and the width at which refraction saturates.
-ExitView seeExit(InnerTap inner, bool core, ExitSurface s, Widening k) {
+ExitView seeExit(InnerLobe inner, bool core, ExitSurface s, Widening k) {
   ExitView v;
   v.cosTheta = min(dot(inner.direction, s.n), 1.0);
   v.swing = 1.0 - s.turn.x;
@@ -96,7 +96,7 @@ ExitView seeExit(InnerTap inner, bool core, ExitSurface s, Widening k) {
   return v;
 }
 
-// What the exit throws back meets the next face as wide as the ray was, and by twice the exit's own tilt wider. What is far out
+// What the exit reflects inside meets the next face as wide as the ray was, and by twice the exit's own tilt wider. What is far out
 // is beyond the critical angle again: of the light that the next face would pass, this share gets there.
 const float LEAVES_NEXT = 0.65;
 float leavingNextAlpha(float innerSigma, float alpha, float nextAlpha) {

@@ -14,38 +14,38 @@
 #include "bsdf/transmission.glsl"
 #include "refraction/convex_body.glsl"
 #include "refraction/glass_reflection.glsl"
-#include "refraction/wandering.glsl"
+#include "refraction/internal_scattering.glsl"
 
-InterfaceTap engineFaceTap(int tap, float cosTheta, float alpha, float eta) {
-  return interfaceTap(engineInterfaceLobe(interfaceLobeCoordinate(tap, 2, cosTheta, alpha, eta)), cosTheta, alpha, eta);
+InterfaceLobe engineFaceLobe(int lobe, float cosTheta, float alpha, float eta) {
+  return interfaceLobe(engineInterfaceLobe(interfaceLobeCoordinate(lobe, 2, cosTheta, alpha, eta)), cosTheta, alpha, eta);
 }
 
-InnerTap engineEnteringTap(int tap, GlassFace face, float ior, float energy) {
-  InterfaceTap read = engineFaceTap(tap, dot(face.wo, face.n), face.alpha, ior);
-  InnerTap inner;
+InnerLobe engineEnteringLobe(int lobe, GlassFace face, float ior, float energy) {
+  InterfaceLobe read = engineFaceLobe(lobe, dot(face.wo, face.n), face.alpha, ior);
+  InnerLobe inner;
   bool matched = abs(ior - 1.0) < INDEX_MATCHED;
-  inner.direction = matched ? -face.wo : interfaceTapDirection(face.wo, face.n, read.angle);
+  inner.direction = matched ? -face.wo : interfaceLobeDirection(face.wo, face.n, read.angle);
   inner.sigma = matched ? 0.0 : read.sigma;
   inner.weight = read.weight * (matched ? 1.0 : energy);
   return inner;
 }
 
-ComposedPair engineLeavingPair(InnerTap inner, bool core, ExitSurface s, Widening k) {
+ComposedPair engineLeavingPair(InnerLobe inner, bool core, ExitSurface s, Widening k) {
   ExitView view = seeExit(inner, core, s, k);
   float cosTheta = max(view.cosTheta, 0.0);
   float energy = abs(s.eta - 1.0) < INDEX_MATCHED ? 1.0 : engineFaceEnergy(cosTheta, view.alphaEnergy, s.eta).transmitted;
-  InterfaceTap first = engineFaceTap(0, cosTheta, view.alphaShape, s.eta);
-  InterfaceTap second = engineFaceTap(1, cosTheta, view.alphaShape, s.eta);
-  return composedPair(composeTap(inner, view, s, first.angle, first.sigma, first.weight, energy),
-                      composeTap(inner, view, s, second.angle, second.sigma, second.weight, energy), view);
+  InterfaceLobe first = engineFaceLobe(0, cosTheta, view.alphaShape, s.eta);
+  InterfaceLobe second = engineFaceLobe(1, cosTheta, view.alphaShape, s.eta);
+  return composedPair(composeLobe(inner, view, s, first.angle, first.sigma, first.weight, energy),
+                      composeLobe(inner, view, s, second.angle, second.sigma, second.weight, energy), view);
 }
 
-// What the exit throws back leaves a convex body by its near face, again and again: a geometric series. Nothing leaves a face wider
-// than a diffuse one sends light, 0.606 radians per axis.
-vec3 internallyReflected(GlassFace face, ConvexBody body, InnerTap inner, float entered, ConvexExit e, float passed) {
+// What the exit reflects inside leaves a convex body by its near face, again and again: a geometric series. Nothing leaves a face
+// wider than a diffuse one sends light, 0.606 radians per axis.
+vec3 internallyReflected(GlassFace face, ConvexBody body, InnerLobe inner, float entered, ConvexExit e, float passed) {
   float cosTheta = max(dot(inner.direction, e.surface.n), 0.0);
   InterfaceEnergy own = engineFaceEnergy(cosTheta, body.backAlpha, e.surface.eta);
-  Wandering w;
+  InternalScattering w;
   w.passes = passed;
   w.back = clamp(own.transmitted + own.reflected - passed, 0.0, 0.99);
   vec3 reflected = inner.direction - 2.0 * cosTheta * e.surface.n;
@@ -55,21 +55,21 @@ vec3 internallyReflected(GlassFace face, ConvexBody body, InnerTap inner, float 
   float spread = sqrt(inner.sigma * inner.sigma + 4.0 * body.backAlpha * body.backAlpha) * body.ior;
   vec3 way = exp(-e.path * body.attenuation);
   vec3 direction = dot(outward, outward) > 0.0 ? outward : near;
-  return entered * w.back * way * wanderingEscapes(w, way) * engineEnvironment(direction, min(spread, 0.606));
+  return entered * w.back * way * internalScatteringEscapes(w, way) * engineEnvironment(direction, min(spread, 0.606));
 }
 
 // What the near face makes of the view: core and tail of its lobe inside.
 struct Entering {
-  InnerTap core;
-  InnerTap tail;
+  InnerLobe core;
+  InnerLobe tail;
   float energy;
 };
 
 Entering enterGlass(GlassFace face, float ior) {
   Entering e;
   e.energy = engineFaceEnergy(dot(face.wo, face.n), face.alpha, ior).transmitted;
-  e.core = engineEnteringTap(0, face, ior, e.energy);
-  e.tail = engineEnteringTap(1, face, ior, e.energy);
+  e.core = engineEnteringLobe(0, face, ior, e.energy);
+  e.tail = engineEnteringLobe(1, face, ior, e.energy);
   return e;
 }
 
@@ -82,7 +82,7 @@ vec3 refractThrough(GlassFace face, ConvexBody body, Entering e, vec3 origin, Co
   // Over the pixel both faces turn together, as a prism's do: by 2 (1 - 1 / ior) of the normal's turn.
   float bent = 2.0 * (1.0 - 1.0 / body.ior);
   pair.core.sigma = sqrt(pair.core.sigma * pair.core.sigma + bent * bent * face.turn);
-  SceneMeeting met = sceneMeeting(origin, pair.core.direction, view);
+  SceneIntersection met = sceneIntersection(origin, pair.core.direction, view);
   vec3 sum = pair.core.weight * lobeRadiance(pair.core, origin, coreExit.path, met, view);
   // The rest leaves beside the core and meets the same thing.
   if (pair.rest.weight > 0.0) sum += pair.rest.weight * lobeRadiance(pair.rest, origin, coreExit.path, met, view);

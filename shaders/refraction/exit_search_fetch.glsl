@@ -70,7 +70,7 @@ ExitDoubt exitDoubt(usampler2DArray interior, int pairs, InteriorView view, Exit
     vec4 at = exitAt(ray, place);
     doubt.believed = exitOnPicture(view, at);
     if (!doubt.believed) break;
-    ExitMeeting met = exitMeeting(interior, pairs, view, at, solid, origin, direction, place, place, t);
+    ExitIntersection met = exitIntersection(interior, pairs, view, at, solid, origin, direction, place, place, t);
     doubt.reads += 1.0;
     if (stretch == 0) stretch = exitStretch(met.inside);
     vec2 apart = exitAt(ray, met.t).xy - end;

@@ -2,10 +2,10 @@
 // Frame    world, metres; those of exit_surface.glsl and interior_fetch.glsl.
 // alpha    none.
 // Returns  exitInsideAt: exitInside of a place of the picture, EXIT_NOWHERE outside of it.
-//          exitMeeting: of the surfaces at a place that the ray can meet from inside between tLow and tHigh, the one whose plane
-//          it meets nearest to t. exitSteps: from t on to the plane that the texel there shows, until the next is the same.
+//          exitIntersection: of the surfaces at a place that the ray can meet from inside between tLow and tHigh, the one whose
+//          plane it meets nearest to t. exitSteps: from t on to the plane that the texel there shows, until the next is the same.
 // Source   exit_search.glsl.
-// Limits   the place given to exitMeeting must lie in the picture.
+// Limits   the place given to exitIntersection must lie in the picture.
 #ifndef GG_REFRACTION_EXIT_STEPS_FETCH_GLSL
 #define GG_REFRACTION_EXIT_STEPS_FETCH_GLSL
 
@@ -16,13 +16,13 @@ vec2 exitInsideAt(usampler2DArray interior, int pairs, InteriorView view, vec4 a
   return exitInside(exitStretches(interiorDepths(interior, pairs, ivec2(at.xy), solid)), at.z);
 }
 
-struct ExitMeeting {
+struct ExitIntersection {
   float t; // -1: there is none
   int layer;
   vec2 inside; // exitInside at the place
 };
 
-ExitMeeting exitMeeting(usampler2DArray interior, int pairs, InteriorView view, vec4 place, float solid, vec3 origin,
+ExitIntersection exitIntersection(usampler2DArray interior, int pairs, InteriorView view, vec4 place, float solid, vec3 origin,
                         vec3 direction, float t, float tLow, float tHigh) {
   ivec2 at = ivec2(place.xy);
   uvec4 bits[4];
@@ -32,7 +32,7 @@ ExitMeeting exitMeeting(usampler2DArray interior, int pairs, InteriorView view, 
     depths[layer] = float(bits[layer].w) == solid ? uintBitsToFloat(bits[layer].x) : 0.0;
   }
   vec4 stretches = exitStretches(depths);
-  ExitMeeting best;
+  ExitIntersection best;
   best.t = -1.0;
   best.layer = INTERIOR_B1;
   best.inside = exitInside(stretches, place.z);
@@ -71,7 +71,7 @@ ExitSteps exitSteps(usampler2DArray interior, int pairs, InteriorView view, Exit
       // A texel shows a point up to half of it away, so that its plane may be met as far before or behind the ends.
       vec2 speed = (ray.direction.xy - at.xy * ray.direction.w) / at.w;
       float room = closed ? min(inversesqrt(dot(speed, speed)), way.tOutside - way.tInside) : 0.0;
-      ExitMeeting met = exitMeeting(interior, pairs, view, at, solid, origin, direction, t, way.tInside - room,
+      ExitIntersection met = exitIntersection(interior, pairs, view, at, solid, origin, direction, t, way.tInside - room,
                                     way.tOutside + room);
       s.reads += 1.0;
       s.t = met.t;

@@ -13,29 +13,29 @@
 #include "refraction/convex_refraction.glsl"
 
 struct WayOut {
-  InnerTap tap; // as it reaches the exit
+  InnerLobe lobe; // as it reaches the exit
   ConvexExit exit;
   vec3 point;
   bool found;
 };
 
 // Past the critical angle all is reflected, and followed once to the next back face: a facet turns it by twice its tilt.
-WayOut wayOut(GlassFace face, InnerTap tap, float eta, float number, SceneView view) {
-  BackFaceExit seen = backFaceExit(face.position, tap.direction, 0.0, eta, number, view);
+WayOut wayOut(GlassFace face, InnerLobe lobe, float eta, float number, SceneView view) {
+  BackFaceExit seen = backFaceExit(face.position, lobe.direction, 0.0, eta, number, view);
   WayOut way;
-  way.tap = tap;
+  way.lobe = lobe;
   way.exit = seen.exit;
-  way.point = face.position + seen.exit.path * tap.direction;
+  way.point = face.position + seen.exit.path * lobe.direction;
   way.found = seen.found;
-  float cosTheta = dot(tap.direction, seen.exit.surface.n);
+  float cosTheta = dot(lobe.direction, seen.exit.surface.n);
   if (!seen.found || (1.0 - cosTheta) * (1.0 + cosTheta) < eta * eta) return way;
-  vec3 onward = tap.direction - 2.0 * cosTheta * seen.exit.surface.n;
+  vec3 onward = lobe.direction - 2.0 * cosTheta * seen.exit.surface.n;
   BackFaceExit next = backFaceExit(way.point, onward, 0.5 * seen.exit.path, eta, number, view);
   if (!next.found) return way;
   float alpha = seen.exit.surface.alpha;
-  way.tap.direction = onward;
-  way.tap.sigma = sqrt(tap.sigma * tap.sigma + 4.0 * alpha * alpha);
-  way.tap.weight = tap.weight * engineFaceEnergy(cosTheta, alpha, eta).reflected;
+  way.lobe.direction = onward;
+  way.lobe.sigma = sqrt(lobe.sigma * lobe.sigma + 4.0 * alpha * alpha);
+  way.lobe.weight = lobe.weight * engineFaceEnergy(cosTheta, alpha, eta).reflected;
   way.exit = next.exit;
   way.exit.path = seen.exit.path + next.exit.path;
   way.point += next.exit.path * onward;
@@ -47,8 +47,8 @@ vec3 refractFrontBack(GlassFace face, ConvexBody body, float number, SceneView v
   WayOut core = wayOut(face, entered.core, 1.0 / body.ior, number, view);
   if (!core.found) return refractConvex(face, body, view, k);
   WayOut tail = wayOut(face, entered.tail, 1.0 / body.ior, number, view);
-  entered.core = core.tap;
-  if (tail.found) entered.tail = tail.tap;
+  entered.core = core.lobe;
+  if (tail.found) entered.tail = tail.lobe;
   if (!tail.found) tail.exit = core.exit;
   return refractThrough(face, body, entered, core.point, core.exit, tail.exit, view, k);
 }

@@ -28,14 +28,14 @@ vec3 reflectGlass(GlassFace face, float ior, SceneView view) {
   float cosTheta = dot(face.wo, face.n);
   float energy = engineFaceEnergy(cosTheta, face.alpha, ior).reflected;
   vec4 texel = engineReflectionLobe(lobeCoordinate(cosTheta, face.alpha, edgeShare(fresnelNormalIncidence(ior), energy)));
-  ComposedTap tap;
-  tap.direction = lobeDirection(2.0 * cosTheta * face.n - face.wo, face.n, texel.x);
-  tap.sigma = sqrt(texel.y * texel.y * face.alpha * face.alpha + 4.0 * face.turn); // a mirror turns by twice its normal's turn
-  tap.weight = energy;
-  tap.inner = 0.0;
-  tap.carried = 0.0;
-  SceneMeeting met = sceneMeeting(face.position, tap.direction, view);
-  return energy * lobeRadiance(tap, face.position, 0.0, met, view);
+  ComposedLobe lobe;
+  lobe.direction = lobeDirection(2.0 * cosTheta * face.n - face.wo, face.n, texel.x);
+  lobe.sigma = sqrt(texel.y * texel.y * face.alpha * face.alpha + 4.0 * face.turn); // a mirror turns by twice its normal's turn
+  lobe.weight = energy;
+  lobe.inner = 0.0;
+  lobe.carried = 0.0;
+  SceneIntersection met = sceneIntersection(face.position, lobe.direction, view);
+  return energy * lobeRadiance(lobe, face.position, 0.0, met, view);
 }
 
 #endif

@@ -5,8 +5,8 @@
 // Returns  interface...Coordinate: texture coordinates in [0, 1] that never mix blocks. interfaceSnell: angle of ideal
 //          refraction, pi/2 past the critical angle. interfaceWidth: the lobe's width to first order, radians, the unit of
 //          what the table holds. interfaceEnergy: shares of the light, [0, 1] each, their sum at most 1; transmitted
-//          is power, without the 1 / eta² of radiance (transmission.glsl). interfaceTap: one of the lobe's Gaussians.
-//          interfaceTapDirection: unit.
+//          is power, without the 1 / eta² of radiance (transmission.glsl). interfaceLobe: one of the lobe's Gaussians.
+//          interfaceLobeDirection: unit.
 // Source   made by `groundglass tables` (app/tables) from the exact integrals over [Walter07] eq. 20, 21.
 // Limits   single scattering. eta exactly 1 reads the limit from above: what facets block is still missing, though
 //          nothing is bent. Callers draw index 1 by not drawing it.
@@ -29,10 +29,10 @@ struct InterfaceEnergy {
   float reflected;
 };
 
-struct InterfaceTap {
+struct InterfaceLobe {
   float angle;
   float sigma;
-  float weight; // of K taps they sum to 1; tap 0 is the core, the narrowest
+  float weight; // of K lobes they sum to 1; lobe 0 is the core, the narrowest
 };
 
 // Square roots crowd the nodes where lobes change within a facet's lean: along the surface, and leaving on either side of the
@@ -70,9 +70,9 @@ vec3 interfaceEnergyCoordinate(float cosTheta, float alpha, float eta) {
               blockCoordinate(interfaceEtaAxis(eta), INTERFACE_SLICES, eta < 1.0 ? 1 : 0, 2));
 }
 
-vec3 interfaceLobeCoordinate(int tap, int taps, float cosTheta, float alpha, float eta) {
+vec3 interfaceLobeCoordinate(int lobe, int lobes, float cosTheta, float alpha, float eta) {
   return vec3(blockCoordinate(interfaceCosineAxis(cosTheta, eta), INTERFACE_LOBE_COSINES, 0, 1),
-              blockCoordinate(sqrt(max(alpha, 0.0)), INTERFACE_LOBE_ALPHAS, tap, taps),
+              blockCoordinate(sqrt(max(alpha, 0.0)), INTERFACE_LOBE_ALPHAS, lobe, lobes),
               blockCoordinate(interfaceEtaAxis(eta), INTERFACE_SLICES, eta < 1.0 ? 1 : 0, 2));
 }
 
@@ -103,17 +103,17 @@ InterfaceEnergy interfaceEnergy(vec4 texel) {
   return e;
 }
 
-InterfaceTap interfaceTap(vec4 texel, float cosTheta, float alpha, float eta) {
+InterfaceLobe interfaceLobe(vec4 texel, float cosTheta, float alpha, float eta) {
   float width = interfaceWidth(cosTheta, clamp(alpha, 0.0, 1.0), eta);
-  InterfaceTap tap;
-  tap.angle = interfaceSnell(cosTheta, eta) + texel.x * width;
-  tap.sigma = texel.y * width;
-  tap.weight = texel.z;
-  return tap;
+  InterfaceLobe lobe;
+  lobe.angle = interfaceSnell(cosTheta, eta) + texel.x * width;
+  lobe.sigma = texel.y * width;
+  lobe.weight = texel.z;
+  return lobe;
 }
 
 // At normal incidence no side is opposite wo: any will do, as the lobe is round.
-vec3 interfaceTapDirection(vec3 wo, vec3 n, float angle) {
+vec3 interfaceLobeDirection(vec3 wo, vec3 n, float angle) {
   vec3 across = dot(wo, n) * n - wo;
   if (!(dot(across, across) > 1e-12)) across = cross(n, abs(n.x) < 0.7 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0));
   return sin(angle) * normalize(across) - cos(angle) * n;

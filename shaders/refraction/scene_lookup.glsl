@@ -3,27 +3,27 @@
 // Frame    world, metres; pixels as engine.glsl.
 // alpha    none; sigma, inner, carried: radians.
 // Returns  lobeRadiance: linear radiance of one lobe, >= 0.
-// Source   scene_meeting.glsl, screen_pyramid.glsl for the blur.
+// Source   scene_intersection.glsl, screen_pyramid.glsl for the blur.
 // Limits   beyond the picture its border fades over one height of it into the environment.
 #ifndef GG_REFRACTION_SCENE_LOOKUP_GLSL
 #define GG_REFRACTION_SCENE_LOOKUP_GLSL
 
 #include "refraction/composition.glsl"
-#include "refraction/scene_meeting.glsl"
+#include "refraction/scene_intersection.glsl"
 #include "refraction/screen_pyramid.glsl"
 
-// tap leaves at origin, after `inside` metres in the glass.
-vec3 lobeRadiance(ComposedTap tap, vec3 origin, float inside, SceneMeeting met, SceneView view) {
+// lobe leaves at origin, after `inside` metres in the glass.
+vec3 lobeRadiance(ComposedLobe lobe, vec3 origin, float inside, SceneIntersection met, SceneView view) {
   bool ends = met.metres >= 0.0;
-  vec3 place = ends ? origin + met.metres * tap.direction : tap.direction;
+  vec3 place = ends ? origin + met.metres * lobe.direction : lobe.direction;
   vec4 clip = view.clipFromWorld * vec4(place, ends ? 1.0 : 0.0);
   float share = 0.0;
   vec3 near = vec3(0.0);
   if (met.seen && clip.w > 0.0) {
-    vec3 fromEye = ends ? place - view.eye : tap.direction;
+    vec3 fromEye = ends ? place - view.eye : lobe.direction;
     float range = length(fromEye);
-    float metres = sqrt(beamVariance(tap.sigma, tap.carried, tap.inner, inside, met.metres));
-    float pixels = (ends ? metres / range : tap.sigma) * pixelsPerRadian(view.focal, min(clip.w / range, 1.0));
+    float metres = sqrt(lobeVariance(lobe.sigma, lobe.carried, lobe.inner, inside, met.metres));
+    float pixels = (ends ? metres / range : lobe.sigma) * pixelsPerRadian(view.focal, min(clip.w / range, 1.0));
     vec2 at = scenePixel(clip, view.size);
     vec2 outside = max(max(-at, at - view.size), vec2(0.0));
     float far = dot(outside, outside);
@@ -34,7 +34,7 @@ vec3 lobeRadiance(ComposedTap tap, vec3 origin, float inside, SceneMeeting met, 
       near = shown.w > 0.0 ? vec3(shown.x, shown.y, shown.z) / shown.w : vec3(0.0);
     }
   }
-  return share >= 0.999 ? near : mix(engineEnvironment(tap.direction, tap.sigma), near, share);
+  return share >= 0.999 ? near : mix(engineEnvironment(lobe.direction, lobe.sigma), near, share);
 }
 
 #endif

@@ -3,7 +3,7 @@
 // alpha    none; variance: per axis, in pixels² of the full picture, >= 0.
 // Returns  pyramidVariance: of what a bilinear lookup of a level shows. pyramidLevel: fractional level, to be read with linear
 //          filtering between levels. pyramidCoverage: share of a Gaussian's weight within the picture, in [0, 1].
-//          beamVariance: metres², of where the light of one beam comes from. pixelsPerRadian: about a direction.
+//          lobeVariance: metres², of where the light of one lobe comes from. pixelsPerRadian: about a direction.
 // Source   each level halves the one before through [1 3 3 1] / 8 in both directions, whose variance is 3/4 of a source
 //          pixel²: level l has (4^l - 1) / 4. Bilinear interpolation adds f (1 - f) of a texel², 1/6 on average over f.
 // Limits   a mixture of two levels has the variance, not the shape, of the Gaussian between them. Wider than the last level
@@ -32,17 +32,17 @@ float normalIntegral(float x) { return 1.0 / (1.0 + exp(-1.702 * x)); }
 
 // at, size: pixels; sigma > 0 pixels.
 float pyramidCoverage(vec2 at, vec2 size, float sigma) {
-  // A quarter of a pixel at least, so that a sharp beam fades over the last pixel and not by a jump.
+  // A quarter of a pixel at least, so that a sharp lobe fades over the last pixel and not by a jump.
   float inverse = 1.0 / max(sigma, 0.25);
   float x = normalIntegral((size.x - at.x) * inverse) - normalIntegral(-at.x * inverse);
   float y = normalIntegral((size.y - at.y) * inverse) - normalIntegral(-at.y * inverse);
   return clamp(x * y, 0.0, 1.0);
 }
 
-// A beam leaves the glass with spread sigma (radians), `carried` of which it brought from the first interface, where it
+// A lobe leaves the glass with spread sigma (radians), `carried` of which it brought from the first interface, where it
 // spread by `inner` and then ran `inside` metres. After `outside` metres its offset is x1 inner inside + outside angle, with
 // angle and x1 correlated through `carried`: variance outside² sigma² + 2 outside inside inner carried + inside² inner².
-float beamVariance(float sigma, float carried, float inner, float inside, float outside) {
+float lobeVariance(float sigma, float carried, float inner, float inside, float outside) {
   float offset = inside * inner;
   float angle = outside * sigma;
   return angle * angle + 2.0 * offset * outside * min(carried, sigma) + offset * offset;

@@ -3,8 +3,8 @@
 // alpha    slope width of both faces in [0, 1] (clamped). eta: the wall's index over its surroundings', [1, 4]; below 1 the
 //          same wall is read as its reciprocal. sigma: radians per axis.
 // Returns  thinWall...Coordinate: texture coordinates in [0, 1]. thinWallWidth: the lobe's width to first order, radians.
-//          thinWallEnergy: shares of the light, all orders of reflection inside. thinWallTap: one of the Gaussians of what gets
-//          through; its direction by interfaceTapDirection. thinWallLaterSpread: of what comes back from within, over the width
+//          thinWallEnergy: shares of the light, all orders of reflection inside. thinWallLobe: one of the Gaussians of what gets
+//          through; its direction by interfaceLobeDirection. thinWallLaterSpread: of what comes back from within, over the width
 //          of what the first face reflects.
 // Source   made by `groundglass tables` (app/tables): paths through both faces, [Walter07] at each.
 // Limits   single scattering at each face; light inside meets the other face at a place of its own, so no interference and
@@ -18,9 +18,9 @@ const int THIN_WALL_COSINES = 25;
 const int THIN_WALL_ALPHAS = 16;
 const int THIN_WALL_SLICES = 13;
 
-vec3 thinWallCoordinate(int tap, int taps, float cosTheta, float alpha, float eta) {
+vec3 thinWallCoordinate(int lobe, int lobes, float cosTheta, float alpha, float eta) {
   return vec3(tableCoordinate(sqrt(max(cosTheta, 0.0)), THIN_WALL_COSINES),
-              blockCoordinate(sqrt(max(alpha, 0.0)), THIN_WALL_ALPHAS, tap, taps),
+              blockCoordinate(sqrt(max(alpha, 0.0)), THIN_WALL_ALPHAS, lobe, lobes),
               tableCoordinate(interfaceEtaAxis(eta), THIN_WALL_SLICES));
 }
 
@@ -56,14 +56,14 @@ float thinWallLaterSpread(float eta) {
 }
 
 // What is not scattered goes straight on.
-InterfaceTap thinWallTap(vec4 texel, float cosTheta, float alpha, float eta) {
+InterfaceLobe thinWallLobe(vec4 texel, float cosTheta, float alpha, float eta) {
   float c = clamp(cosTheta, 0.0, 1.0);
   float width = thinWallWidth(c, clamp(alpha, 0.0, 1.0), eta);
-  InterfaceTap tap;
-  tap.angle = atan(sqrt((1.0 - c) * (1.0 + c)), c) + texel.x * width;
-  tap.sigma = texel.y * width;
-  tap.weight = texel.z;
-  return tap;
+  InterfaceLobe lobe;
+  lobe.angle = atan(sqrt((1.0 - c) * (1.0 + c)), c) + texel.x * width;
+  lobe.sigma = texel.y * width;
+  lobe.weight = texel.z;
+  return lobe;
 }
 
 #endif

@@ -12,8 +12,8 @@ vec3 peersRadiance(Surface s) {
     keep *= keep;
     keep *= keep;
     bent = normalize(mix(normalize(bent), s.n, keep));
-    LobeTap tap = fetchStandardTap(lobeTable, s.wo, bent, s.alpha);
-    return reflectedRadiance(s, tap.direction, tap.sigma);
+    ReflectionLobe lobe = fetchStandardLobe(lobeTable, s.wo, bent, s.alpha);
+    return reflectedRadiance(s, lobe.direction, lobe.sigma);
 }
 
 // The mean of what arrives over the lobe.
@@ -22,8 +22,8 @@ vec3 brushedRadiance(Surface s, float edge) {
     mat3 world = brushFrame(s);
     vec3 wo = s.wo * world;
     // Where a picture takes several samples, each has places of its own between the parts', and is as much sharper: of N samples
-    // frame.part.w is 1 / (12 N). Half of the parts then does. Their sigmas, of half of the variance, are made even by the normal distribution's logistic form
-    // [BowlingKhasawneh09].
+    // frame.part.w is 1 / (12 N). Half of the parts then does. Their sigmas, of half of the variance, are made even by the normal
+    // distribution's logistic form [BowlingKhasawneh09].
     bool several = frame.part.z < 1.0;
     float shift = several ? 1.0 / (1.0 + exp(-2.4 * frame.part.x)) - 0.5 : 0.0;
     float sharpness = several ? min(sqrt(12.0 * frame.part.w), 1.0) : 1.0;
@@ -34,9 +34,9 @@ vec3 brushedRadiance(Surface s, float edge) {
         StretchedPart part = stretchedPart(wo, brushWidths(s), k, parts, shift, sharpness);
         vec3 n = world * part.n;
         if (!(ofPixel(part.weight) > 0.0)) continue;
-        for (int t = 0; t < lobeTaps; ++t) {
-            LobeTap tap = fetchLobeTapOf(lobeTable, t, lobeTaps, s.wo, n, part.alpha, edge);
-            sum += part.weight * tap.weight * reflectedRadiance(s, tap.direction, tap.sigma);
+        for (int t = 0; t < lobeCount; ++t) {
+            ReflectionLobe lobe = fetchReflectionLobeOf(lobeTable, t, lobeCount, s.wo, n, part.alpha, edge);
+            sum += part.weight * lobe.weight * reflectedRadiance(s, lobe.direction, lobe.sigma);
         }
         weights += part.weight;
     }

@@ -57,11 +57,11 @@ vec3 coatEnvironment(Surface coat) {
     float albedo = fetchLobeEnergy(energyTable, dot(coat.n, coat.wo), coat.alpha).albedo;
     if (method >= 100) return albedo * sampledCoat(coat, method - 100);
     vec3 sum = vec3(0.0);
-    for (int k = 0; k < lobeTaps; ++k) {
-        LobeTap tap;
-        if (method == 0) tap = fetchStandardTap(lobeTable, coat.wo, coat.n, coat.alpha);
-        else tap = fetchLobeTapOf(lobeTable, k, lobeTaps, coat.wo, coat.n, coat.alpha, 0.0);
-        sum += tap.weight * reflectedRadiance(coat, tap.direction, tap.sigma);
+    for (int k = 0; k < lobeCount; ++k) {
+        ReflectionLobe lobe;
+        if (method == 0) lobe = fetchStandardLobe(lobeTable, coat.wo, coat.n, coat.alpha);
+        else lobe = fetchReflectionLobeOf(lobeTable, k, lobeCount, coat.wo, coat.n, coat.alpha, 0.0);
+        sum += lobe.weight * reflectedRadiance(coat, lobe.direction, lobe.sigma);
     }
     return albedo * sum;
 }

@@ -34,10 +34,10 @@ vec3 reflectedRadiance(Surface s, vec3 direction, float sigma) {
 
 #include "stages/brushed.glsl"
 
-// The reflection lobe: what arrives along the tap is seen times the weight. And all else that the surroundings make of the
+// The reflection lobe: what arrives along the lobe is seen times the weight. And all else that the surroundings make of the
 // surface: diffuse light under it, and what scattered more than once.
 struct EnvironmentLight {
-    LobeTap tap; // the first of lobeTaps
+    ReflectionLobe lobe; // the first of lobeCount
     float edge;  // where the table is read
     vec3 weight;
     vec3 diffuse;
@@ -51,9 +51,9 @@ EnvironmentLight environmentLobe(Surface s) {
     if (isSmooth) {
         reflectance = materialFresnel(s, cosO);
         light.edge = 0.0;
-        light.tap.direction = reflect(-s.wo, s.n);
-        light.tap.sigma = 0.0;
-        light.tap.weight = 1.0;
+        light.lobe.direction = reflect(-s.wo, s.n);
+        light.lobe.sigma = 0.0;
+        light.lobe.weight = 1.0;
     } else {
         float width = brushedLobes > 0 ? stretchedEnergyAlpha(brushWidths(s)) : s.alpha;
         LobeEnergy energy = fetchLobeEnergy(energyTable, cosO, width);
@@ -62,8 +62,8 @@ EnvironmentLight environmentLobe(Surface s) {
         reflectance = lobeMeanRgb(energy, materialFresnel(s, energy.cos1), materialFresnel(s, energy.cos2));
         // At a constant angle Fresnel's branches would ask for the material's numbers alone (of_pixel.glsl).
         light.edge = edgeShare(meanOf(materialFresnel(s, ofPixel(1.0))), meanOf(reflectance));
-        if (method == 0) light.tap = fetchStandardTap(lobeTable, s.wo, s.n, s.alpha);
-        else light.tap = fetchLobeTapOf(lobeTable, 0, lobeTaps, s.wo, s.n, s.alpha, light.edge);
+        if (method == 0) light.lobe = fetchStandardLobe(lobeTable, s.wo, s.n, s.alpha);
+        else light.lobe = fetchReflectionLobeOf(lobeTable, 0, lobeCount, s.wo, s.n, s.alpha, light.edge);
     }
     light.weight = s.occlusion * albedo * reflectance;
     light.diffuse = vec3(0.0);
@@ -89,30 +89,30 @@ EnvironmentLight environmentLobe(Surface s) {
 vec3 environmentLight(Surface s) {
     EnvironmentLight light = environmentLobe(s);
     if (brushedLobes > 0) return light.diffuse + light.weight * brushedRadiance(s, light.edge);
-    LobeTap tap = light.tap;
-    vec3 sum = tap.weight * reflectedRadiance(s, tap.direction, tap.sigma);
-    if (lobeTaps > 1) {
-        for (int k = 1; k < lobeTaps; ++k) {
-            tap = fetchLobeTapOf(lobeTable, k, lobeTaps, s.wo, s.n, s.alpha, light.edge);
-            sum += tap.weight * reflectedRadiance(s, tap.direction, tap.sigma);
+    ReflectionLobe lobe = light.lobe;
+    vec3 sum = lobe.weight * reflectedRadiance(s, lobe.direction, lobe.sigma);
+    if (lobeCount > 1) {
+        for (int k = 1; k < lobeCount; ++k) {
+            lobe = fetchReflectionLobeOf(lobeTable, k, lobeCount, s.wo, s.n, s.alpha, light.edge);
+            sum += lobe.weight * reflectedRadiance(s, lobe.direction, lobe.sigma);
         }
     }
     return light.diffuse + light.weight * sum;
 }
 
-// All taps but the first as one of the same mean and variance (per axis half of the squared distances): for glass, where little is
+// All lobes but the first as one of the same mean and variance (per axis half of the squared distances): for glass, where little is
 // reflected. Weight 0 if there is but one.
-LobeTap mergedTail(Surface s, EnvironmentLight light) {
-    LobeTap merged = light.tap;
+ReflectionLobe mergedTail(Surface s, EnvironmentLight light) {
+    ReflectionLobe merged = light.lobe;
     merged.weight = 0.0;
-    for (int k = 1; k < lobeTaps; ++k) {
-        LobeTap tap = fetchLobeTapOf(lobeTable, k, lobeTaps, s.wo, s.n, s.alpha, light.edge);
-        float share = tap.weight / max(merged.weight + tap.weight, 1e-30);
-        vec3 apart = tap.direction - merged.direction;
-        merged.sigma = sqrt(mix(merged.sigma * merged.sigma, tap.sigma * tap.sigma, share) +
+    for (int k = 1; k < lobeCount; ++k) {
+        ReflectionLobe lobe = fetchReflectionLobeOf(lobeTable, k, lobeCount, s.wo, s.n, s.alpha, light.edge);
+        float share = lobe.weight / max(merged.weight + lobe.weight, 1e-30);
+        vec3 apart = lobe.direction - merged.direction;
+        merged.sigma = sqrt(mix(merged.sigma * merged.sigma, lobe.sigma * lobe.sigma, share) +
                             0.5 * share * (1.0 - share) * dot(apart, apart));
         merged.direction = normalize(merged.direction + share * apart);
-        merged.weight += tap.weight;
+        merged.weight += lobe.weight;
     }
     return merged;
 }

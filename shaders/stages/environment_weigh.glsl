@@ -1,5 +1,5 @@
 // environment_weigh.glsl: what a quad of texels hands on to the next step of blur: radiance times a texel's weight, and the
-// weight beside it, so that the blur reads one texel per tap. On the way it may be halved: the quad becomes one texel,
+// weight beside it, so that the blur reads one texel per lobe. On the way it may be halved: the quad becomes one texel,
 // and an average over solid angle keeps the mean over the sphere exactly.
 #include "stages/environment_quad.glsl"
 

@@ -3,8 +3,8 @@
 //          point      xyz world, metres; w alpha of the face, -1 - alpha where the way goes on by total reflection
 //          face       xy its outward normal (octEncode); zw ExitSurface.turn
 //          ray        xy direction it came by (octEncode); z sigma, radians; w energy
-//          way        x metres run in all, 0 where there is nothing; y of these in the last segment; z energy that passed on the way
-//          The first arrival has point and face alone: its ray is the entering one, its way straight.
+//          way        x metres run in all, 0 where there is nothing; y of these in the last segment; z energy that passed on the
+//          way The first arrival has point and face alone: its ray is the entering one, its way straight.
 // Needs    stages/glass_inside.glsl.
 
 struct PackedArrival {
@@ -39,7 +39,7 @@ layout(binding = 35) uniform sampler2D lastFace;
 layout(binding = 36) uniform sampler2D lastRay;
 layout(binding = 37) uniform sampler2D lastWay;
 
-InnerArrival readFirstArrival(Surface s, InnerTap core, float entered, float invIor) {
+InnerArrival readFirstArrival(Surface s, InnerLobe core, float entered, float invIor) {
     vec4 point = texelFetch(firstPoint, ivec2(gl_FragCoord.xy), 0);
     InnerArrival a;
     a.ray = core;
@@ -72,10 +72,10 @@ InnerArrival readLastArrival(float invIor) {
 InnerPath readPath(Surface s, float ior) {
     float entered = faceEnergy(dot(s.n, s.wo), s.alpha, ior).transmitted;
     InnerPath p;
-    p.first = readFirstArrival(s, enteringTap(0, s, ior, entered), entered, 1.0 / ior);
+    p.first = readFirstArrival(s, enteringLobe(0, s, ior, entered), entered, 1.0 / ior);
     p.last = readLastArrival(1.0 / ior);
-    p.bounced = p.last.run > 0.0;
+    p.reflectedInside = p.last.run > 0.0;
     p.passedBetween = texelFetch(lastWay, ivec2(gl_FragCoord.xy), 0).z;
-    if (!p.bounced) p.last = p.first;
+    if (!p.reflectedInside) p.last = p.first;
     return p;
 }

@@ -10,7 +10,7 @@ void writeExit() {
     Surface s = readSurface(surfaceBaseColor());
     float ior = glassIor();
     float entered = faceEnergy(dot(s.n, s.wo), s.alpha, ior).transmitted;
-    InnerArrival first = firstArrival(s, enteringTap(0, s, ior, entered), entered, 1.0 / ior);
+    InnerArrival first = firstArrival(s, enteringLobe(0, s, ior, entered), entered, 1.0 / ior);
     PackedArrival p = packArrival(first, 0.0);
     if (goesOn(first, splitAt(first, 1.0 / ior, widening()))) p.point.w = -1.0 - p.point.w;
     outPoint = p.point;

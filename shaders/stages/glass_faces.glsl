@@ -13,10 +13,10 @@ float dispersedIor(float ior, float dispersion, int channel) {
     return max(ior + (float(channel) - 1.0) * 0.025 * (ior - 1.0) * dispersion, 0.25); // the least that the tables hold
 }
 
-// Taps that the tables of this method have: what is composed of two faces needs two of each at most.
-const int entryTaps = method > 1 && method < 100 && !isSmooth ? 2 : 1;
+// Lobes that the tables of this method have: what is composed of two faces needs two of each at most.
+const int entryLobes = method > 1 && method < 100 && !isSmooth ? 2 : 1;
 
-Widening widening() { return distribution == 0 ? wideningGgx(entryTaps) : wideningBeckmann(entryTaps); }
+Widening widening() { return distribution == 0 ? wideningGgx(entryLobes) : wideningBeckmann(entryLobes); }
 
 // n as another ray finds it, `apart` from the one that it is known for.
 ExitSurface exitBeside(ExitSurface s, vec3 direction, vec3 apart) {
@@ -40,36 +40,36 @@ InterfaceEnergy faceEnergy(float cosTheta, float alpha, float eta) {
     return e;
 }
 
-// wo -> where light goes on beyond the face; along -n where it is all thrown back, which has no weight.
+// wo -> where light goes on beyond the face; along -n where all is internally reflected, which has no weight.
 vec3 bentBy(vec3 n, vec3 wo, float eta) {
     vec3 bent = refractAbout(wo, n, eta);
     return dot(bent, bent) > 0.0 ? bent : -n;
 }
 
-InnerTap enteringTap(int tap, Surface s, float eta, float energy) {
-    InnerTap inner;
+InnerLobe enteringLobe(int lobe, Surface s, float eta, float energy) {
+    InnerLobe inner;
     if (isSmooth) {
         inner.direction = bentBy(s.n, s.wo, eta);
         inner.sigma = 0.0;
         inner.weight = energy;
     } else {
-        inner = fetchInnerTap(interfaceLobeTable, tap, entryTaps, s.wo, s.n, s.alpha, eta, energy);
+        inner = fetchInnerLobe(interfaceLobeTable, lobe, entryLobes, s.wo, s.n, s.alpha, eta, energy);
     }
     return inner;
 }
 
-// One tap through the face that it meets, by one tap that stands for all of it.
-ComposedTap leavingTap(InnerTap inner, ExitSurface s, Widening k) {
-    ComposedTap tap;
+// One lobe through the face that it meets, by one lobe that stands for all of it.
+ComposedLobe leavingLobe(InnerLobe inner, ExitSurface s, Widening k) {
+    ComposedLobe lobe;
     if (isSmooth) {
         float cosTheta = dot(inner.direction, s.n);
-        tap.direction = bentBy(-s.n, -inner.direction, s.eta);
-        tap.sigma = 0.0;
-        tap.inner = 0.0;
-        tap.carried = 0.0;
-        tap.weight = cosTheta > 0.0 ? inner.weight * fresnelTransmittedAt(cosTheta, s.eta) : 0.0;
+        lobe.direction = bentBy(-s.n, -inner.direction, s.eta);
+        lobe.sigma = 0.0;
+        lobe.inner = 0.0;
+        lobe.carried = 0.0;
+        lobe.weight = cosTheta > 0.0 ? inner.weight * fresnelTransmittedAt(cosTheta, s.eta) : 0.0;
     } else {
-        tap = fetchComposed(interfaceEnergyTable, interfaceLobeTable, entryTaps, inner, s, k);
+        lobe = fetchComposed(interfaceEnergyTable, interfaceLobeTable, entryLobes, inner, s, k);
     }
-    return tap;
+    return lobe;
 }

@@ -15,23 +15,23 @@ layout(location = 3) out vec4 outFar;
 
 void writeFootprint() {
     LobePair pair = readLobes();
-    Meeting meeting = pairMeeting(pair.core, endWithinGlass());
+    Intersection intersection = pairIntersection(pair.core, endWithinGlass());
     vec3 both = pair.core.weight + pair.rest.weight;
-    if (entryTaps == 1) both = pair.core.weight;
+    if (entryLobes == 1) both = pair.core.weight;
     outOffsets = vec4(0.0);
     outSpots = vec4(0.0);
     outLobes = vec4(both, float(objectId()));
     outFar = vec4(0.0);
-    WeightedBeam w = pair.core;
-    for (int m = 0; m < entryTaps; ++m) {
+    WeightedLobe w = pair.core;
+    for (int m = 0; m < entryLobes; ++m) {
         if (m == 1) w = pair.rest;
-        Beam part = partOf(w.beam);
-        Footprint f = footprintOf(part, meeting);
+        LobeRay part = partOf(w.lobe);
+        Footprint f = footprintOf(part, intersection);
         vec4 near = pictureRadiance(f);
         float share = near.w;
         outFar.w += share * largest(w.weight * near.xyz);
         outFar.xyz += w.weight * (1.0 - share) * farRadiance(part.direction, seenSigma(part));
-        if (hasLights) outFar.xyz += w.weight * lightsAlong(w.beam);
+        if (hasLights) outFar.xyz += w.weight * lightsAlong(w.lobe);
         vec2 off = f.share > 0.0 ? f.at - vec2(picturePixel()) - 0.5 : vec2(0.0);
         float shown = share * largest(w.weight) / max(largest(both), 1e-30);
         if (m == 0) {

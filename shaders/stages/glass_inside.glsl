@@ -2,32 +2,33 @@
 // Frame    world, metres; directions unit.
 // Needs    stages/glass_faces.glsl, stages/object.glsl, interface/instance.glsl.
 // Source   refraction/exit_search.glsl.
-// Energy   what a face throws back is followed to the next where most of the light is, beyond the critical angle; else it is left over.
-//          A spread of rays changes what passes. What facets hide of what they scatter, single scattering loses: the face's own.
+// Energy   what a face reflects inside is followed to the next where most of the light is, beyond the critical angle; else it is
+//          residual. A spread of rays changes what passes. What facets hide of what they scatter, single scattering loses: the
+//          face's own.
 #include "refraction/exit_search_fetch.glsl"
-#include "refraction/wandering.glsl"
+#include "refraction/internal_scattering.glsl"
 #include "stages/picture_pixel.glsl"
 
 layout(binding = 26) uniform usampler2DArray interior; // stages/interior.frag
 
 layout(constant_id = 42) const int mostBounces = 2; // total reflections that are followed
 
-// Light that has lost its way in a body that is not convex leaves it on all sides alike: after two reflections inside, paths through
-// the material ball have a mean direction of .1. Smooth walls, between which few ways are open, keep it going forwards.
+// Light that scatters diffusely in a body that is not convex leaves it on all sides alike: after two reflections inside, paths
+// through the material ball have a mean direction of .1. Smooth walls, between which few ways are open, keep it going forwards.
 const bool losesItsWay = interiorPairs > 1 && !isSmooth;
-// There a search beyond the first reflection finds where one ray in two goes (tests/interior), of a beam that is wide by then.
+// There a search beyond the first reflection finds where one ray in two goes (tests/interior), of a lobe that is wide by then.
 const int followed = losesItsWay && mostBounces > 1 ? 1 : mostBounces;
 // Of what gets out of such a body about half meets it again (paths through the material ball and Suzanne).
 const float MEETS_AGAIN = 0.5;
 // Where it goes forwards it comes from a cone of about a radian.
-const float LEFT_OVER_SIGMA = 0.5; // radians
+const float RESIDUAL_SIGMA = 0.5; // radians
 // Of what a diffuse face sends, the mean square of the angle is pi²/8 - 1/2, half of that per axis: nothing leaves a face wider.
 const float HEMISPHERE_SIGMA = 0.606;
 
 InteriorView interiorCamera() { return interiorView(frame.clipFromWorld, frame.worldFromClip, frame.picture.xy); }
 
-// What has been thrown back is so wide that the face turns by a radian over its spot: it is not bundled as by one curvature. The
-// turn counts by the mean of the cosine of what the normals differ by.
+// What has been reflected inside is so wide that the face turns by a radian over its spot: it is not bundled as by one curvature.
+// The turn counts by the mean of the cosine of what the normals differ by.
 vec2 seenBySpread(vec2 turn, float sigma) {
     vec2 differ = turn * sigma;
     return turn * exp(-0.5 * differ * differ);
@@ -47,11 +48,11 @@ float meshUnit() {
             length(instance.worldFromMesh[2].xyz)) / 3.0;
 }
 
-WanderingLoss wanderingLoss() { return distribution == 0 ? wanderingLossGgx() : wanderingLossBeckmann(); }
+InternalScatteringLoss internalScatteringLoss() { return distribution == 0 ? internalScatteringLossGgx() : internalScatteringLossBeckmann(); }
 
 // Light inside where it comes to a face.
 struct InnerArrival {
-    InnerTap ray;
+    InnerLobe ray;
     ExitSurface face;
     vec3 point;
     float run;     // metres since it came in
@@ -81,7 +82,7 @@ FaceSplit splitAt(InnerArrival a, float invIor, Widening k) {
 
 // Where `ray` next comes to a face: first of all from s, or `reflected`, then from the place of `before`. segment is negative where
 // there is none.
-InnerArrival reachFace(Surface s, InnerArrival before, InnerTap ray, float invIor, bool reflected) {
+InnerArrival reachFace(Surface s, InnerArrival before, InnerLobe ray, float invIor, bool reflected) {
     InnerArrival a = before;
     a.ray = ray;
     a.face.eta = invIor;
@@ -117,7 +118,7 @@ InnerArrival reachFace(Surface s, InnerArrival before, InnerTap ray, float invIo
 }
 
 // The light at s, which has entered.
-InnerArrival entering(Surface s, InnerTap core, float entered) {
+InnerArrival entering(Surface s, InnerLobe core, float entered) {
     InnerArrival a;
     a.ray = core;
     a.ray.weight = entered;
@@ -131,7 +132,7 @@ InnerArrival entering(Surface s, InnerTap core, float entered) {
     return a;
 }
 
-InnerArrival firstArrival(Surface s, InnerTap core, float entered, float invIor) {
+InnerArrival firstArrival(Surface s, InnerLobe core, float entered, float invIor) {
     InnerArrival from = entering(s, core, entered);
     return reachFace(s, from, from.ray, invIor, false);
 }
@@ -139,11 +140,11 @@ InnerArrival firstArrival(Surface s, InnerTap core, float entered, float invIor)
 // Followed where most of the light is: beyond the critical angle, and as long as a way can be told.
 bool goesOn(InnerArrival a, FaceSplit split) {
     bool most = split.reflected >= 0.5 * a.ray.weight;
-    return most && (interiorPairs > 1 || split.sigma <= LEFT_OVER_SIGMA);
+    return most && (interiorPairs > 1 || split.sigma <= RESIDUAL_SIGMA);
 }
 
-InnerTap reflectedRay(FaceSplit split) {
-    InnerTap ray;
+InnerLobe reflectedRay(FaceSplit split) {
+    InnerLobe ray;
     ray.direction = split.direction;
     ray.sigma = split.sigma;
     ray.weight = split.reflected;
@@ -154,20 +155,20 @@ InnerTap reflectedRay(FaceSplit split) {
 struct InnerPath {
     InnerArrival first;
     InnerArrival last;   // after total reflections; the first again if there was none
-    bool bounced;
+    bool reflectedInside;
     float passedBetween; // energy that passed the faces beyond which the light was followed
 };
 
-// From `before` on; where that is the light at s itself, `hasFirst` is false. The search is written once: machines that run pixels in
-// lockstep pay for all that is.
+// From `before` on; where that is the light at s itself, `hasFirst` is false. The search is written once: machines that run
+// pixels in lockstep pay for all that is.
 InnerPath followFaces(Surface s, InnerArrival before, bool hasFirst, float invIor, Widening k) {
     InnerPath p;
     p.first = before;
     p.last = before;
-    p.bounced = false;
+    p.reflectedInside = false;
     p.passedBetween = 0.0;
     for (int bounce = hasFirst ? 1 : 0; bounce <= followed; ++bounce) {
-        InnerTap ray = p.last.ray;
+        InnerLobe ray = p.last.ray;
         float passed = 0.0;
         if (bounce > 0) {
             FaceSplit split = splitAt(p.last, invIor, k);
@@ -180,7 +181,7 @@ InnerPath followFaces(Surface s, InnerArrival before, bool hasFirst, float invIo
         if (losesItsWay && bounce > 1) p.passedBetween += passed;
         p.last = next;
         if (bounce == 0) p.first = next;
-        p.bounced = bounce > 0;
+        p.reflectedInside = bounce > 0;
     }
     return p;
 }
@@ -191,23 +192,23 @@ struct Residual {
     vec3 direction;
     float sigma;
     float energy;
-    Wandering leaves; // what becomes of it at each face that it comes to
+    InternalScattering leaves; // what becomes of it at each face that it comes to
 };
 
 Residual residualOf(Surface s, InnerPath p, float invIor, Widening k) {
     FaceSplit split = splitAt(p.last, invIor, k);
-    // Beyond the critical angle and in bodies that are not convex it wanders: of all guesses, what is behind a convex body is
-    // nearest to brute force.
+    // Beyond the critical angle and in bodies that are not convex it scatters diffusely: of all guesses, what is behind a convex
+    // body is nearest to brute force.
     Residual r;
     r.energy = split.reflected;
-    r.leaves = wanderingAt(p.last.face.alpha, 1.0 / invIor, wanderingLoss());
-    if (losesItsWay) r.leaves = wanderingConcave(r.leaves, MEETS_AGAIN);
+    r.leaves = internalScatteringAt(p.last.face.alpha, 1.0 / invIor, internalScatteringLoss());
+    if (losesItsWay) r.leaves = internalScatteringConcave(r.leaves, MEETS_AGAIN);
     r.point = p.last.point;
     r.direction = -s.wo;
-    r.sigma = max(split.sigma, LEFT_OVER_SIGMA);
-    if (interiorPairs > 1 || (split.reflected >= 0.5 * p.last.ray.weight && split.sigma <= LEFT_OVER_SIGMA)) return r;
-    // Else what a convex body throws back leaves by its near face: of a plate that is the one that is seen, of a curved body the
-    // one that the sphere with the same chord has there.
+    r.sigma = max(split.sigma, RESIDUAL_SIGMA);
+    if (interiorPairs > 1 || (split.reflected >= 0.5 * p.last.ray.weight && split.sigma <= RESIDUAL_SIGMA)) return r;
+    // Else what a convex body reflects inside leaves by its near face: of a plate that is the one that is seen, of a curved body
+    // the one that the sphere with the same chord has there.
     bool isFlat = p.last.face.turn == vec2(0.0);
     vec3 n = p.last.face.n;
     vec3 near = isFlat ? s.n : normalize(n + 2.0 * dot(p.last.ray.direction, n) * split.direction);
@@ -216,7 +217,7 @@ Residual residualOf(Surface s, InnerPath p, float invIor, Widening k) {
     float wide = split.sigma / invIor; // small angles grow by the index there
     float folded = max(1.0 - HEMISPHERE_SIGMA / max(wide, HEMISPHERE_SIGMA), 0.0);
     bool refracted = dot(outward, near) > 0.0;
-    if (!refracted && split.sigma <= LEFT_OVER_SIGMA) return r;
+    if (!refracted && split.sigma <= RESIDUAL_SIGMA) return r;
     // Again and again, each time with the same shares. A smooth face loses nothing: below a hundredth it is the table's rounding.
     r.leaves.passes = split.passes;
     r.leaves.back = min(split.kept + 0.01, 1.0) - split.passes;

@@ -9,21 +9,21 @@ layout(binding = 35) uniform sampler2D restShape;
 layout(binding = 36) uniform sampler2D lobeWeight;
 
 struct LobePair {
-    WeightedBeam core;
-    WeightedBeam rest;
+    WeightedLobe core;
+    WeightedLobe rest;
 };
 
 LobePair readLobes() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 weight = texelFetch(lobeWeight, at, 0);
     LobePair pair;
-    pair.core.beam = unpackedBeam(texelFetch(coreOrigin, at, 0), texelFetch(coreShape, at, 0));
-    pair.core.beam.turn = turnOverPixel(pair.core.beam.direction);
+    pair.core.lobe = unpackedLobe(texelFetch(coreOrigin, at, 0), texelFetch(coreShape, at, 0));
+    pair.core.lobe.turn = turnOverPixel(pair.core.lobe.direction);
     pair.core.weight = (1.0 - weight.w) * weight.xyz;
     pair.rest = pair.core;
-    if (entryTaps > 1) {
-        pair.rest.beam = unpackedBeam(texelFetch(restOrigin, at, 0), texelFetch(restShape, at, 0));
-        pair.rest.beam.turn = pair.core.beam.turn;
+    if (entryLobes > 1) {
+        pair.rest.lobe = unpackedLobe(texelFetch(restOrigin, at, 0), texelFetch(restShape, at, 0));
+        pair.rest.lobe.turn = pair.core.lobe.turn;
         pair.rest.weight = weight.w * weight.xyz;
     }
     return pair;

@@ -15,6 +15,6 @@ layout(location = 0) out vec4 outColor;
 void main() {
     bool shown = readRegion();
     LobePair pair = readLobes();
-    vec3 radiance = pairRadiance(pair.core, pair.rest, entryTaps > 1, endWithinGlass(), true);
+    vec3 radiance = pairRadiance(pair.core, pair.rest, entryLobes > 1, endWithinGlass(), true);
     outColor = shown ? vec4(radiance, 1.0) : vec4(0.0);
 }

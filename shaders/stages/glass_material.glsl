@@ -1,4 +1,4 @@
-// glass_material.glsl: a surface of glass and its beams, as all of its passes begin.
+// glass_material.glsl: a surface of glass and its lobes, as all of its passes begin.
 // Frame    world, metres.
 // Needs    interface/{frame,instance,lights,material}.glsl, stages/material_features.glsl, the inputs of opaque.vert.
 #include "stages/surface.glsl"
@@ -9,7 +9,7 @@
 #include "stages/punctual_lights.glsl"
 #include "stages/surroundings.glsl"
 #include "stages/environment_light.glsl"
-#include "stages/glass_beams.glsl"
+#include "stages/weighted_lobes.glsl"
 #include "stages/glass_faces.glsl"
 #include "stages/glass_inside.glsl"
 #include "stages/glass.glsl"
@@ -22,17 +22,17 @@ vec3 transmissionTint(Surface s) { return throughShare(s) * s.baseColor; }
 
 float glassIor() { return ofPixel(material.surface.w); } // tables and composition branch on it
 
-MirrorBeams mirrorBeams(Surface s, EnvironmentLight light) {
-    MirrorBeams mirror = noMirror(s);
-    mirror.core = mirrorBeam(s, light, light.tap);
-    if (lobeTaps > 1) mirror.rest = mirrorBeam(s, light, mergedTail(s, light));
+MirrorLobes mirrorLobes(Surface s, EnvironmentLight light) {
+    MirrorLobes mirror = noMirror(s);
+    mirror.core = mirrorLobe(s, light, light.lobe);
+    if (lobeCount > 1) mirror.rest = mirrorLobe(s, light, mergedTail(s, light));
     return mirror;
 }
 
 // As the pixel shows it: tinted, over its footprint.
-WeightedBeam seenThrough(WeightedBeam w, vec3 tint) {
-    WeightedBeam seen = w;
-    seen.beam.turn = turnOverPixel(w.beam.direction);
+WeightedLobe seenThrough(WeightedLobe w, vec3 tint) {
+    WeightedLobe seen = w;
+    seen.lobe.turn = turnOverPixel(w.lobe.direction);
     seen.weight *= tint;
     return seen;
 }

@@ -1,17 +1,17 @@
 // glass_partly_clear.glsl: solids whose faces are clear in part only: transmission below 1, or metal.
-// Needs    stages/glass_beams.glsl, stages/surroundings.glsl.
+// Needs    stages/weighted_lobes.glsl, stages/surroundings.glsl.
 // Source   app/README.md, "Bodies of glass": each face is clear by the share that the near one is; the rest of it shows its base.
 // Limits   the base within is lit alike from all sides, and metal counts as if it were diffuse.
 
-vec3 energyOf(GlassBeams beams) { return beams.core.weight + beams.rest.weight + beams.bounced.weight + beams.leftOver.weight; }
+vec3 energyOf(GlassLobes lobes) { return lobes.core.weight + lobes.rest.weight + lobes.reflectedInside.weight + lobes.residual.weight; }
 
 // What meets the clear share of every face on its way: one at least, and two of what the first has reflected.
-GlassBeams throughClearShare(GlassBeams beams, float clear) {
-    GlassBeams b = beams;
+GlassLobes throughClearShare(GlassLobes lobes, float clear) {
+    GlassLobes b = lobes;
     b.core.weight *= clear;
     b.rest.weight *= clear;
-    b.bounced.weight *= clear * clear;
-    b.leftOver.weight *= clear * clear;
+    b.reflectedInside.weight *= clear * clear;
+    b.residual.weight *= clear * clear;
     return b;
 }
 

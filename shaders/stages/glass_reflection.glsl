@@ -12,7 +12,7 @@ void writeReflection(bool shown) {
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);
         radiance += light.diffuse;
-        radiance += mirrorRadiance(mirrorBeams(s, light), texelFetch(lobeWeight, ivec2(gl_FragCoord.xy), 0).xyz);
+        radiance += mirrorRadiance(mirrorLobes(s, light), texelFetch(lobeWeight, ivec2(gl_FragCoord.xy), 0).xyz);
     }
     if (hasLights) radiance += punctualLight(s);
     outColor = shown ? vec4(radiance, 0.0) : vec4(0.0);

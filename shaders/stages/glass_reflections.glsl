@@ -1,5 +1,5 @@
-// glass_reflections.glsl: the second pass over a solid of glass: on from the first face where light is totally reflected, to the last
-// face that is found.
+// glass_reflections.glsl: the second pass over a solid of glass: on from the first face where light is totally reflected, to the
+// last face that is found.
 // Writes   stages/glass_arrival.glsl; nothing where there is no total reflection.
 #include "stages/glass_material.glsl"
 #include "stages/glass_arrival.glsl"
@@ -13,9 +13,9 @@ void writeReflections() {
     Surface s = readSurface(surfaceBaseColor());
     float ior = glassIor();
     float entered = faceEnergy(dot(s.n, s.wo), s.alpha, ior).transmitted;
-    InnerArrival first = readFirstArrival(s, enteringTap(0, s, ior, entered), entered, 1.0 / ior);
+    InnerArrival first = readFirstArrival(s, enteringLobe(0, s, ior, entered), entered, 1.0 / ior);
     InnerPath path = followFaces(s, first, true, 1.0 / ior, widening());
-    if (!path.bounced) discard;
+    if (!path.reflectedInside) discard;
     PackedArrival p = packArrival(path.last, path.passedBetween);
     outPoint = p.point;
     outFace = p.face;

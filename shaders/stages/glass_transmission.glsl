@@ -15,15 +15,15 @@ void writeTransmission() {
     float ior = glassIor();
     float entered = faceEnergy(dot(s.n, s.wo), s.alpha, ior).transmitted;
     InnerPath path;
-    path.first = readFirstArrival(s, enteringTap(0, s, ior, entered), entered, 1.0 / ior);
-    GlassBeams beams = composedBeams(s, ior, path);
-    if (holdsOpaque) beams = beamsEndingInside(beams, s, path.first.ray, entered, endWithinGlass());
+    path.first = readFirstArrival(s, enteringLobe(0, s, ior, entered), entered, 1.0 / ior);
+    GlassLobes lobes = composedLobes(s, ior, path);
+    if (holdsOpaque) lobes = lobesEndingInside(lobes, s, path.first.ray, entered, endWithinGlass());
     vec3 tint = transmissionTint(s);
-    beams.core.weight *= tint;
-    beams.rest.weight *= tint;
-    outCoreOrigin = packedOrigin(beams.core.beam);
-    outCoreShape = packedShape(beams.core.beam);
-    outRestOrigin = packedOrigin(beams.rest.beam);
-    outRestShape = packedShape(beams.rest.beam);
-    outWeight = packedWeight(beams.core, beams.rest);
+    lobes.core.weight *= tint;
+    lobes.rest.weight *= tint;
+    outCoreOrigin = packedOrigin(lobes.core.lobe);
+    outCoreShape = packedShape(lobes.core.lobe);
+    outRestOrigin = packedOrigin(lobes.rest.lobe);
+    outRestShape = packedShape(lobes.rest.lobe);
+    outWeight = packedWeight(lobes.core, lobes.rest);
 }

@@ -9,6 +9,6 @@ void writeWithin() {
     Surface s = readSurface(surfaceBaseColor());
     float ior = glassIor();
     float entered = faceEnergy(dot(s.n, s.wo), s.alpha, ior).transmitted;
-    InnerTap core = enteringTap(0, s, ior, entered);
+    InnerLobe core = enteringLobe(0, s, ior, entered);
     outWithin = vec4(endsInside(s, core, distance(texelFetch(firstPoint, ivec2(gl_FragCoord.xy), 0).xyz, s.position)));
 }

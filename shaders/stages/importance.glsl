@@ -1,5 +1,5 @@
 // importance.glsl: `--method fisN`: N facets are drawn from those that the viewer sees, and each reads the surroundings at the
-// width of its own share: filtered importance sampling, the yardstick for the fitted taps.
+// width of its own share: filtered importance sampling, the yardstick for the fitted lobes.
 // Frame    world; directions unit.
 // Needs    stages/environment_light.glsl.
 // Source   [ColbertKrivanek07]; sigma = 0.35 / sqrt(N pdf) for Gaussian levels. GGX facets whatever the distribution: Beckmann's

@@ -1,6 +1,6 @@
 // importance_glass.glsl: `--method fisN` through glass: a facet of either face for each of N samples.
 // Frame    world, metres; directions unit.
-// Needs    stages/importance.glsl, stages/glass_beams.glsl, stages/glass_faces.glsl, stages/glass.glsl.
+// Needs    stages/importance.glsl, stages/weighted_lobes.glsl, stages/glass_faces.glsl, stages/glass.glsl.
 // Limits   a sample's width is its share of the lobe's first-order width, as the density of two facets in a row has no closed form.
 
 // What of the light's cosines masking leaves, for a facet drawn among those that are seen.
@@ -8,17 +8,17 @@ float facetThrough(vec3 wo, vec3 wi, vec3 wm, float alpha, float eta) {
     return facetWeight(wm, alpha) * fresnelTransmittedAt(dot(wo, wm), eta) * ggxG1(tilt(wi), alpha);
 }
 
-// Radiance through both faces: a facet of each, in the place of `beams`' core and rest.
-vec3 sampledGlass(Surface s, float ior, GlassBeams beams, int n) {
-    ExitSurface leaving = beams.leaving;
+// Radiance through both faces: a facet of each, in the place of `lobes`' core and rest.
+vec3 sampledGlass(Surface s, float ior, GlassLobes lobes, int n) {
+    ExitSurface leaving = lobes.leaving;
     mat3 entry = frameAbout(s.n);
     vec3 wo = transpose(entry) * s.wo;
-    float inside = beams.core.beam.inside;
+    float inside = lobes.core.lobe.inside;
     vec3 absorption = absorbed(inside);
-    Meeting meeting = meetBackdrop(beams.core.beam.origin, beams.core.beam.direction, beams.core.beam.sigma, true);
+    Intersection intersection = meetBackdrop(lobes.core.lobe.origin, lobes.core.lobe.direction, lobes.core.lobe.sigma, true);
     // Both lobes to first order, and of their joint Gaussian each sample's share: 0.35 sqrt(2 pi).
     float first = ior * interfaceWidth(wo.z, s.alpha, ior);
-    float second = interfaceWidth(dot(beams.inner, leaving.n), leaving.alpha, leaving.eta);
+    float second = interfaceWidth(dot(lobes.inner, leaving.n), leaving.alpha, leaving.eta);
     float sigma = 0.877 * inversesqrt(float(n)) * sqrt(first * first + second * second);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < n; ++i) {
@@ -26,7 +26,7 @@ vec3 sampledGlass(Surface s, float ior, GlassBeams beams, int n) {
         vec3 wm = ggxSampleVisible(wo, vec2(s.alpha), u);
         vec3 inner = refractAbout(wo, wm, ior); // as it travels
         vec3 d = entry * inner;
-        ExitSurface there = exitBeside(leaving, beams.inner, d - beams.inner);
+        ExitSurface there = exitBeside(leaving, lobes.inner, d - lobes.inner);
         mat3 exit = frameAbout(-there.n);
         vec3 back = transpose(exit) * -d;
         // The golden ratio's lattice decouples the second face's facets from the first's.
@@ -34,11 +34,11 @@ vec3 sampledGlass(Surface s, float ior, GlassBeams beams, int n) {
         vec3 outer = refractAbout(back, wm2, there.eta);
         if (!(inner.z < 0.0 && back.z > 0.0 && outer.z < 0.0)) continue;
         float weight = facetThrough(wo, inner, wm, s.alpha, ior) * facetThrough(back, outer, wm2, there.alpha, there.eta);
-        vec3 beside = inside * (d - beams.inner);
+        vec3 beside = inside * (d - lobes.inner);
         beside -= dot(beside, leaving.n) * leaving.n;
-        Beam beam = straightBeam(beams.core.beam.origin + beside, exit * outer, sigma);
-        beam.turn = beams.core.beam.turn;
-        sum += weight * beamRadiance(beam, meeting);
+        LobeRay lobe = lobeRay(lobes.core.lobe.origin + beside, exit * outer, sigma);
+        lobe.turn = lobes.core.lobe.turn;
+        sum += weight * lobeRayRadiance(lobe, intersection);
     }
     return absorption * sum / float(n);
 }

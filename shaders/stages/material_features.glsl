@@ -14,7 +14,7 @@ layout(constant_id = 8) const int alphaMode = 0;       // 0 opaque, 1 mask, 2 bl
 layout(constant_id = 9) const int shading = 0;         // 0 unlit, 1 dielectric, 2 metal, 3 both mixed by metallic, 4 conductor
 layout(constant_id = 10) const int distribution = 0;   // 0 GGX, 1 Beckmann, 2 Phong
 layout(constant_id = 11) const bool correlatedSmith = false;
-layout(constant_id = 12) const int method = 1;         // 0 standard (what peers do), K: K taps, 100 + N: N importance samples
+layout(constant_id = 12) const int method = 1;         // 0 standard (what peers do), K: K lobes, 100 + N: N importance samples
 layout(constant_id = 13) const bool hasEnvironment = true;
 layout(constant_id = 14) const bool hasLights = false;
 layout(constant_id = 15) const bool alphaIsGiven = false; // material.surface.z in place of roughness²
@@ -27,9 +27,9 @@ layout(constant_id = 21) const int thicknessMapUv = 0;
 layout(constant_id = 22) const bool disperses = false;
 layout(constant_id = 23) const bool indexIsOne = false; // bends and reflects nothing
 layout(constant_id = 24) const bool attenuates = false; // absorbs along the way inside
-layout(constant_id = 41) const bool looksAround = false; // reflections show the picture: there is more than one thing
+layout(constant_id = 41) const bool hasNeighbours = false; // reflections show the picture: there is more than one thing
 layout(constant_id = 25) const bool holdsOpaque = false; // something that is in the depth reaches into the box around the solid
-layout(constant_id = 27) const int lobeTaps = 1; // that the table of the reflection lobe holds
+layout(constant_id = 27) const int lobeCount = 1; // that the table of the reflection lobe holds
 layout(constant_id = 28) const bool seenFromWithin = false; // back faces of the solid can be what the camera sees
 layout(constant_id = 29) const bool isSmooth = false; // alpha 0 on every face: nothing scatters, no table is read
 layout(constant_id = 30) const int neighbourKinds = 0; // what stands around it: 1 spheres, 2 rectangles, 4 glass among them

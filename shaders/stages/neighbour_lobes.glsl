@@ -24,8 +24,8 @@ PassedOn nothingPassedOn() {
 // Radians: a proxy's radius is known to a fiftieth, and what a ball bends changes by twice that and more.
 const float UNSURE = 0.05;
 
-// Through a ball, which bends each ray by 2 (i - t) about its axis (Snell's i and t) and spreads a cone by the derivatives of that; or
-// straight through a pane. weight: of the lobe that meets it.
+// Through a ball, which bends each ray by 2 (i - t) about its axis (Snell's i and t) and spreads a cone by the derivatives of
+// that; or straight through a pane. weight: of the lobe that meets it.
 PassedOn withPassed(PassedOn on, NeighbourData o, LobeShare met, vec3 p, vec3 weight) {
     vec3 leaves = met.direction;
     vec3 point = met.distance * met.direction;
@@ -54,8 +54,8 @@ PassedOn withPassed(PassedOn on, NeighbourData o, LobeShare met, vec3 p, vec3 we
     return on;
 }
 
-// The next neighbour that takes a share of a lobe, from the place `i` of the list on: machines that run pixels in lockstep then shade
-// as often as one pixel has neighbours that do, not as often as there are neighbours.
+// The next neighbour that takes a share of a lobe, from the place `i` of the list on: machines that run pixels in lockstep then
+// shade as often as one pixel has neighbours that do, not as often as there are neighbours.
 struct NextShare {
     int i; // counts.x: there is none
     bool startsBody;

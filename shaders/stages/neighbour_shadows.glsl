@@ -2,8 +2,8 @@
 // Frame    world, metres; directions unit.
 // Needs    stages/neighbours.glsl, which includes it.
 
-// A ball of glass is a lens: light across wi is drawn together about its axis by a focal length of ior / (2 (ior - 1)) radii from its
-// centre, and apart again. What passes it to a point at `centre` from the ball's, over what would without it.
+// A ball of glass is a lens: light across wi is drawn together about its axis by a focal length of ior / (2 (ior - 1)) radii from
+// its centre, and apart again. What passes it to a point at `centre` from the ball's, over what would without it.
 float ballGathers(vec3 centre, float radius, vec3 wi, float ior, float alpha) {
     float focal = ior * radius / max(2.0 * (ior - 1.0), 1e-2);
     float x = dot(centre, wi);

@@ -2,8 +2,8 @@
 // environment for the rest.
 // Frame    world, metres; directions unit.
 // Needs    interface/frame.glsl, stages/environment.glsl, stages/material_features.glsl.
-// Source   neighbours/lobe_share.glsl, neighbours/form_factor.glsl; each neighbour by its own material, lit by the environment alone: one
-//          bounce. Front to back in the order of the list; the faces of one box lie beside each other.
+// Source   neighbours/lobe_share.glsl, neighbours/form_factor.glsl; each neighbour by its own material, lit by the environment
+//          alone: one bounce. Front to back in the order of the list; the faces of one box lie beside each other.
 #include "bsdf/constants.glsl"
 #include "interface/neighbours.glsl"
 #include "neighbours/form_factor.glsl"

@@ -23,10 +23,10 @@ vec4 refractiveColor(vec4 base) {
     float clear = transmission == 2 && twice ? throughShare(s) : 1.0;
     vec3 radiance = s.emissive;
     float ior = glassIor();
-    MirrorBeams mirror = noMirror(s);
+    MirrorLobes mirror = noMirror(s);
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);
-        mirror = mirrorBeams(s, light);
+        mirror = mirrorLobes(s, light);
         radiance += light.diffuse;
     }
     if (indexIsOne) {
@@ -41,35 +41,35 @@ vec4 refractiveColor(vec4 base) {
             vec3 mask = vec3(1.0);
             if (disperses) mask = vec3(k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0);
             float own = disperses ? dispersedIor(ior, material.transmission.z, k) : ior;
-            GlassBeams beams;
-            MirrorBeams reflected = mirror;
+            GlassLobes lobes;
+            MirrorLobes reflected = mirror;
             if (transmission == 1) {
                 ThinWall wall = throughThinWall(s, own);
-                beams = wall.through;
+                lobes = wall.through;
                 reflected = withReflectedLater(mirror, tint * wall.reflectedLater, own);
             } else if (twice) {
-                beams = throughTwoFaces(s, own);
+                lobes = throughTwoFaces(s, own);
             } else {
-                beams = outOfSolid(s, own);
+                lobes = outOfSolid(s, own);
             }
-            beams.core.beam.turn = turnOverPixel(beams.core.beam.direction);
-            beams.rest.beam.turn = beams.core.beam.turn;
-            beams.bounced.beam.turn = turnOverPixel(beams.bounced.beam.direction);
+            lobes.core.lobe.turn = turnOverPixel(lobes.core.lobe.direction);
+            lobes.rest.lobe.turn = lobes.core.lobe.turn;
+            lobes.reflectedInside.lobe.turn = turnOverPixel(lobes.reflectedInside.lobe.direction);
             if (clear < 1.0) {
-                vec3 energy = energyOf(beams);
-                beams = throughClearShare(beams, clear);
-                energy -= energyOf(beams);
+                vec3 energy = energyOf(lobes);
+                lobes = throughClearShare(lobes, clear);
+                energy -= energyOf(lobes);
                 radiance += mask * tint * energy * baseWithin(s.baseColor, clear, own) * wideRadiance(s.n);
             }
-            beams.core.weight *= tint;
-            beams.rest.weight *= tint;
-            beams.bounced.weight *= tint;
-            beams.leftOver.weight *= tint;
-            if (method >= 100 && twice && !(beams.within >= 0.0)) {
-                radiance += mask * tint * clear * sampledGlass(s, own, beams, method - 100);
-                beams.core.weight = vec3(0.0);
+            lobes.core.weight *= tint;
+            lobes.rest.weight *= tint;
+            lobes.reflectedInside.weight *= tint;
+            lobes.residual.weight *= tint;
+            if (method >= 100 && twice && !(lobes.within >= 0.0)) {
+                radiance += mask * tint * clear * sampledGlass(s, own, lobes, method - 100);
+                lobes.core.weight = vec3(0.0);
             }
-            radiance += mask * glassRadiance(beams, reflected);
+            radiance += mask * glassRadiance(lobes, reflected);
         }
     }
     if (hasLights) radiance += punctualLight(s);

@@ -115,9 +115,9 @@ vec3 faceViewer(vec3 n, vec3 wo) {
     return c >= 0.0 ? n : normalize(n - c * wo);
 }
 
-// By how much a direction turns over what one sample shows of the pixel: the variance per axis, radians². A lamp smaller than that is
-// not to be met or missed by chance. What turns by more than a quarter of a radian from pixel to pixel is an edge more often than
-// a bend, where two directions are seen and none between them: it counts as a quarter.
+// By how much a direction turns over what one sample shows of the pixel: the variance per axis, radians². A lamp smaller than
+// that is not to be met or missed by chance. What turns by more than a quarter of a radian from pixel to pixel is an edge more
+// often than a bend, where two directions are seen and none between them: it counts as a quarter.
 const float STEEPEST_TURN = 0.25;
 
 float turnOverPixel(vec3 direction) {

@@ -1,21 +1,21 @@
-// surroundings.glsl: what a beam of light that leaves the glass brings: the picture behind it where it can be seen, the
+// surroundings.glsl: what a lobe of light that leaves the glass brings: the picture behind it where it can be seen, the
 // environment at the same width where it cannot.
 // Frame    world, metres; pixels from the top left corner.
 // Needs    interface/frame.glsl, stages/neighbours.glsl.
-// Source   DESIGN.md §2 (5). A surface that a beam meets is looked for in the depth behind the layer: first from depth to
-//          depth (each read is taken for a plane across the view, whose meeting with the beam has a closed form), which finds
+// Source   DESIGN.md §2 (5). A surface that a lobe meets is looked for in the depth behind the layer: first from depth to
+//          depth (each read is taken for a plane across the view, whose intersection with the lobe has a closed form), which finds
 //          walls and floors in two or three reads; where that does not settle, in steps that are even on the screen.
 #include "bsdf/constants.glsl"
 #include "stages/of_pixel.glsl"
 #include "stages/picture_pixel.glsl"
-#include "refraction/beam_part.glsl"
+#include "refraction/lobe_stratum.glsl"
 #include "refraction/screen_pyramid_fetch.glsl"
 
 layout(binding = 24) uniform sampler2D screenPyramid;
 layout(binding = 25) uniform sampler2D backdropDepth; // device depth: 1 near, 0 far and sky
 
-// A Gaussian beam that leaves the glass; see ComposedTap.
-struct Beam {
+// A Gaussian lobe that leaves the glass; see ComposedLobe.
+struct LobeRay {
     vec3 origin;
     vec3 direction;
     float sigma;   // radians
@@ -25,57 +25,57 @@ struct Beam {
     float turn;    // variance of its direction over what is seen of the pixel, radians²: part of every lookup, not of the light
 };
 
-// A beam that comes from a point, not from within glass.
-Beam straightBeam(vec3 origin, vec3 direction, float sigma) {
-    Beam beam;
-    beam.origin = origin;
-    beam.direction = direction;
-    beam.sigma = sigma;
-    beam.inner = 0.0;
-    beam.carried = 0.0;
-    beam.inside = 0.0;
-    beam.turn = 0.0;
-    return beam;
+// A lobe that comes from a point, not from within glass.
+LobeRay lobeRay(vec3 origin, vec3 direction, float sigma) {
+    LobeRay lobe;
+    lobe.origin = origin;
+    lobe.direction = direction;
+    lobe.sigma = sigma;
+    lobe.inner = 0.0;
+    lobe.carried = 0.0;
+    lobe.inside = 0.0;
+    lobe.turn = 0.0;
+    return lobe;
 }
 
 // Parts are few: what each of them meets or misses has an outline, and outlines of all pixels' parts at the same places are lines
-// in the picture. Each pixel turns its own about the beam's middle, to one neighbour's angle or the other's at most: N parts stand
+// in the picture. Each pixel turns its own about the lobe's middle, to one neighbour's angle or the other's at most: N parts stand
 // 2 pi / N apart, frame.part.w is 1 / (12 N). A lattice of the plastic number's powers leaves the least alike beside each other.
 mat2 pixelTurn() {
     float angle = 48.0 * BSDF_PI * frame.part.w * (fract(dot(vec2(picturePixel()), vec2(0.754877666, 0.569840291))) - 0.5);
     return mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
 }
 
-// The part of a beam that this sample of the pixel stands for. A wide beam meets more than one thing: by their parts the samples
-// meet each of them, where one meeting for all would draw its outline sharp.
-Beam partOf(Beam beam) {
-    BeamPart own = beamPart(beam.direction, beam.sigma, beam.inner, beam.carried, vec3(pixelTurn() * frame.part.xy, frame.part.z));
-    beam.origin += beam.inside * own.aside;
-    beam.direction = own.direction;
-    beam.sigma = own.sigma;
-    beam.inner = own.inner;
-    beam.carried = own.carried;
-    return beam;
+// The part of a lobe that this sample of the pixel stands for. A wide lobe meets more than one thing: by their parts the samples
+// meet each of them, where one intersection for all would draw its outline sharp.
+LobeRay partOf(LobeRay lobe) {
+    LobeStratum own = lobeStratum(lobe.direction, lobe.sigma, lobe.inner, lobe.carried, vec3(pixelTurn() * frame.part.xy, frame.part.z));
+    lobe.origin += lobe.inside * own.aside;
+    lobe.direction = own.direction;
+    lobe.sigma = own.sigma;
+    lobe.inner = own.inner;
+    lobe.carried = own.carried;
+    return lobe;
 }
 
-// Where a beam's centre meets what is behind.
-struct Meeting {
+// Where a lobe's centre meets what is behind.
+struct Intersection {
     float distance; // metres from the origin; negative: nowhere, it goes to the sky
     bool seen;      // the picture shows it
-    float foreshortening; // area that the picture shows of a patch of the surface, over the area that the beam does
+    float foreshortening; // area that the picture shows of a patch of the surface, over the area that the lobe does
     bool hidden;    // behind something nearer, from there on
-    vec2 from;      // pixels: where the beam begins
-    bool guessed;   // the picture does not show that place: its border is taken to go on
-    float wall;     // it does not, but of the beam this share meets a wall that is known to be there; 0: there is none
+    vec2 from;      // pixels: where the lobe begins
+    bool guessed;   // the picture does not show that place: its border is extended
+    float wall;     // it does not, but of the lobe this share meets a wall that is known to be there; 0: there is none
 };
 
 layout(constant_id = 44) const bool hasWalls = true; // the frame knows of some
 
 const float OUTSIDE_FADE = 1.0; // of the picture's height
-const int MEETING_GUESSES = 4;
-const int MEETING_STEPS = 12;
-const int MEETING_SECANTS = 6;
-const int MEETING_READS = 26; // steps, and two crossings
+const int INTERSECTION_GUESSES = 4;
+const int INTERSECTION_STEPS = 12;
+const int INTERSECTION_SECANTS = 6;
+const int INTERSECTION_READS = 26; // steps, and two crossings
 
 // Clip coordinates, w > 0 -> pixels.
 vec2 pixelOf(vec4 clip) { return (vec2(0.5, -0.5) * clip.xy / clip.w + 0.5) * frame.picture.xy; }
@@ -97,8 +97,8 @@ float distanceOutOfScene(vec3 origin, vec3 direction) {
     return min(far.x, min(far.y, far.z));
 }
 
-Meeting nowhere() {
-    Meeting m;
+Intersection nowhere() {
+    Intersection m;
     m.distance = -1.0;
     m.seen = false;
     m.foreshortening = 1.0;
@@ -116,7 +116,7 @@ float wayAlong(float v, float wFrom, float wTo) {
     return far / (near + far);
 }
 
-// The surface at a pixel, seen along the view and along the beam: the ratio of the two cosines. A plane in the world is a plane in
+// The surface at a pixel, seen along the view and along the lobe: the ratio of the two cosines. A plane in the world is a plane in
 // device depth. Of the two differences of four texels along each axis the one that is less far in depth belongs to one surface.
 float foreshorteningAt(vec2 at, vec3 direction) {
     vec2 centre = floor(clamp(at, vec2(1.0), frame.picture.xy - 1.0) + 0.5); // where four meet
@@ -134,24 +134,24 @@ float foreshorteningAt(vec2 at, vec3 direction) {
     vec3 n = (plane * frame.clipFromWorld).xyz;
     vec4 p = frame.worldFromClip * vec4(clip, z, 1.0);
     vec3 view = ofPixel(frame.eye.w) > 0.0 ? normalize(p.xyz / p.w - frame.eye.xyz) : frame.viewDirection.xyz;
-    // At a grazing beam the spot on the surface grows without end; past a factor of 16 it is the sky's business.
+    // At a grazing lobe the spot on the surface grows without end; past a factor of 16 it is the sky's business.
     float seen = abs(dot(n, view));
     float met = abs(dot(n, direction));
     return clamp(seen / max(met, 1e-30), 1.0 / 16.0, 16.0);
 }
 
-// From depth to depth: what was read is taken for a plane across the view, and read again where the beam meets that. True if that
+// From depth to depth: what was read is taken for a plane across the view, and read again where the lobe meets that. True if that
 // settles.
-Meeting guessMeeting(vec4 from, vec4 along) {
-    Meeting guess = nowhere();
+Intersection guessIntersection(vec4 from, vec4 along) {
+    Intersection guess = nowhere();
     vec2 at = pixelOf(from);
-    for (int k = 0; k < MEETING_GUESSES && !guess.seen; ++k) {
+    for (int k = 0; k < INTERSECTION_GUESSES && !guess.seen; ++k) {
         float z = depthBehind(at);
         bool sky = z == 0.0;
         float met = sky ? -1.0 : distanceToDepth(from, along, z);
         vec4 there = sky ? along : from + met * along;
         if (!((sky || met >= 0.0) && there.w > 0.0)) break;
-        // Off the picture its border goes on (depthBehind): the picture's share in the beam fades there, it does not end.
+        // Off the picture its border goes on (depthBehind): the picture's share in the lobe fades there, it does not end.
         vec2 next = pixelOf(there);
         vec2 moved = abs(next - at);
         at = next;
@@ -163,7 +163,7 @@ Meeting guessMeeting(vec4 from, vec4 along) {
     return guess;
 }
 
-// The share of the way of a beam that the picture can show: to the end of the scene, as far as it stays on the picture and before
+// The share of the way of a lobe that the picture can show: to the end of the scene, as far as it stays on the picture and before
 // the camera. Each clip plane x = ±w, y = ±w and w = a hundredth of where it began cuts off what lies beyond.
 float wayOnPicture(vec4 from, vec4 way) {
     vec4 room = max(vec4(from.w - from.x, from.w + from.x, from.w - from.y, from.w + from.y), vec4(0.0));
@@ -174,16 +174,16 @@ float wayOnPicture(vec4 from, vec4 way) {
 }
 
 // In steps that are even on the screen, a pixel long at least, and closing in where one went behind the depth.
-Meeting stepToMeeting(vec4 from, vec4 along, float most) {
+Intersection stepToIntersection(vec4 from, vec4 along, float most) {
     vec4 way = most * along;
     float end = wayOnPicture(from, way);
     vec4 to = from + end * way;
     vec3 a = from.xyz / from.w;
     vec3 b = to.xyz / to.w;
     vec2 pixels = 0.5 * abs(b.xy - a.xy) * frame.picture.xy;
-    int steps = int(clamp(ceil(max(pixels.x, pixels.y)), 1.0, float(MEETING_STEPS)));
+    int steps = int(clamp(ceil(max(pixels.x, pixels.y)), 1.0, float(INTERSECTION_STEPS)));
 
-    Meeting met = nowhere();
+    Intersection met = nowhere();
     int step = -1;  // the height at the start is not known yet
     int secant = 0; // > 0: between low (in front) and high (behind)
     float low = 0.0;
@@ -193,7 +193,7 @@ Meeting stepToMeeting(vec4 from, vec4 along, float most) {
     float gap = 0.0;     // of the heights where the crossing was noticed
     float last = 0.0;    // height at the step before
     float hidden = -1.0; // where it went behind something
-    for (int k = 0; k < MEETING_READS && !met.seen; ++k) {
+    for (int k = 0; k < INTERSECTION_READS && !met.seen; ++k) {
         bool closing = secant > 0;
         // In the middle first: a step in depth between the two ends, like the outline of what the ray leaves, would hold a
         // secant at one of them.
@@ -211,7 +211,7 @@ Meeting stepToMeeting(vec4 from, vec4 along, float most) {
             float rest = min(heightLow, -heightHigh);
             // Over a surface the heights close in on 0, at an edge they do not: there the ray went behind something nearer, and
             // comes out again or not.
-            bool given = secant > MEETING_SECANTS;
+            bool given = secant > INTERSECTION_SECANTS;
             met.seen = rest < 0.02 * gap || (given && rest < 0.1 * gap);
             met.distance = most * end * wayAlong(mix(low, high, heightLow / max(heightLow - heightHigh, 1e-30)), from.w, to.w);
             hidden = given ? low : hidden;
@@ -253,8 +253,8 @@ float betweenEdges(float x, float sigma) {
     return max(normalIntegral((1.0 - x) * inverse) - normalIntegral((-1.0 - x) * inverse), 0.0);
 }
 
-// Of the walls that the frame knows of, seen or not, the one that most of the beam meets: x its share, y metres. Places are known
-// to a millionth of their distance: within ten of that the beam starts on the wall.
+// Of the walls that the frame knows of, seen or not, the one that most of the lobe meets: x its share, y metres. Places are known
+// to a millionth of their distance: within ten of that the lobe starts on the wall.
 vec2 meetWalls(vec3 origin, vec3 direction, float sigma) {
     vec2 most = vec2(0.0, -1.0);
     for (int i = 0; i < ofPixel(frame.counts.y); ++i) {
@@ -268,7 +268,7 @@ vec2 meetWalls(vec3 origin, vec3 direction, float sigma) {
         bool starts = height * height < 1e-10 * dot(n, n) * dot(apart, apart);
         if (starts || !(met > 0.0 && met < 1e30)) continue;
         vec3 off = met * direction - apart;
-        // The spot's mean width on the wall: 1 / cosine longer along the beam.
+        // The spot's mean width on the wall: 1 / cosine longer along the lobe.
         float width = met * sigma * inversesqrt(max(abs(towards) * inversesqrt(dot(n, n)), 1e-6));
         float share = betweenEdges(dot(off, u), width * length(u)) * betweenEdges(dot(off, v), width * length(v));
         if (share > most.x) most = vec2(share, met);
@@ -276,15 +276,15 @@ vec2 meetWalls(vec3 origin, vec3 direction, float sigma) {
     return most;
 }
 
-// sigma: the beam's, radians. `guess`: depth to depth first; not where the ray starts from a surface that is in the depth.
-Meeting meetBackdrop(vec3 origin, vec3 direction, float sigma, bool guess) {
+// sigma: the lobe's, radians. `guess`: depth to depth first; not where the ray starts from a surface that is in the depth.
+Intersection meetBackdrop(vec3 origin, vec3 direction, float sigma, bool guess) {
     vec4 from = frame.clipFromWorld * vec4(origin, 1.0);
     vec4 along = frame.clipFromWorld * vec4(direction, 0.0);
-    Meeting met = nowhere();
+    Intersection met = nowhere();
     if (!(from.w > 0.0)) return met;
-    if (guess) met = guessMeeting(from, along);
+    if (guess) met = guessIntersection(from, along);
     // A wall may be what bounds the scene: a fiftieth further.
-    if (!met.seen) met = stepToMeeting(from, along, 1.02 * max(distanceOutOfScene(origin, direction), 0.0));
+    if (!met.seen) met = stepToIntersection(from, along, 1.02 * max(distanceOutOfScene(origin, direction), 0.0));
     if (hasWalls && met.guessed) {
         vec2 wall = meetWalls(origin, direction, sigma);
         if (wall.x > 0.004) { // a step of 8 bits
@@ -301,57 +301,57 @@ Meeting meetBackdrop(vec3 origin, vec3 direction, float sigma, bool guess) {
     return met;
 }
 
-float seenSigma(Beam beam) { return sqrt(beam.sigma * beam.sigma + beam.turn); }
+float seenSigma(LobeRay lobe) { return sqrt(lobe.sigma * lobe.sigma + lobe.turn); }
 
-// Where a beam falls on the picture, and how much of it does.
+// Where a lobe falls on the picture, and how much of it does.
 struct Footprint {
     vec2 at;        // pixels
     float variance; // pixels²
     float share;    // 0: the picture does not show it
 };
 
-// `meeting`: of the beam's centre, or of another beam of nearly the same origin and direction.
-Footprint footprintOf(Beam beam, Meeting meeting) {
+// `intersection`: of the lobe's centre, or of another lobe of nearly the same origin and direction.
+Footprint footprintOf(LobeRay lobe, Intersection intersection) {
     Footprint f;
     f.at = vec2(0.0);
     f.variance = 0.0;
     f.share = 0.0;
-    bool ends = meeting.distance >= 0.0;
-    vec4 place = ends ? vec4(beam.origin + meeting.distance * beam.direction, 1.0) : vec4(beam.direction, 0.0);
+    bool ends = intersection.distance >= 0.0;
+    vec4 place = ends ? vec4(lobe.origin + intersection.distance * lobe.direction, 1.0) : vec4(lobe.direction, 0.0);
     vec4 clip = frame.clipFromWorld * place;
-    if (!(meeting.seen && clip.w > 0.0)) return f;
-    vec3 fromEye = ends ? place.xyz - frame.eye.xyz : beam.direction;
+    if (!(intersection.seen && clip.w > 0.0)) return f;
+    vec3 fromEye = ends ? place.xyz - frame.eye.xyz : lobe.direction;
     float range = length(fromEye);
-    float apart = meeting.distance * meeting.distance * beam.turn;
+    float apart = intersection.distance * intersection.distance * lobe.turn;
     float metres =
-        ends ? sqrt(beamVariance(beam.sigma, beam.carried, beam.inner, beam.inside, meeting.distance) + apart) : 0.0;
+        ends ? sqrt(lobeVariance(lobe.sigma, lobe.carried, lobe.inner, lobe.inside, intersection.distance) + apart) : 0.0;
     float pixels; // sigma
     if (ofPixel(frame.eye.w) > 0.0) {
-        pixels = (ends ? metres / range : seenSigma(beam)) * pixelsPerRadian(frame.picture.z, min(clip.w / range, 1.0));
+        pixels = (ends ? metres / range : seenSigma(lobe)) * pixelsPerRadian(frame.picture.z, min(clip.w / range, 1.0));
     } else {
         // An orthographic camera sees one direction of the sky only: the rest is the environment's business.
         pixels = metres * frame.picture.z;
     }
-    pixels *= sqrt(meeting.foreshortening);
+    pixels *= sqrt(intersection.foreshortening);
     vec2 at = pixelOf(clip);
     // A spot beside what hides the rest of its way would take half of its light from that, which may be a lamp's reflection: it
     // is read as far back on its way as it reaches, two sigma, is a share of that; from where it begins if that is all.
-    if (meeting.hidden) {
-        vec2 back = meeting.from - at;
+    if (intersection.hidden) {
+        vec2 back = intersection.from - at;
         at += back * min(4.0 * pixels * pixels / max(dot(back, back), 1e-6), 1.0); // a thousandth of a pixel is no way
     }
     // Off the picture the sky is known better from the environment. A surface is not: its border stands for it, ever more
-    // blurred, and fades as the picture's size tells how far a guess may reach: not where a wall is known to go on.
+    // blurred, and fades as the picture's size tells how far a guess may reach: not where a planar proxy continues.
     vec2 outside = max(max(-at, at - frame.picture.xy), vec2(0.0)) / (OUTSIDE_FADE * frame.picture.y);
     f.share = ends ? exp(-0.5 * dot(outside, outside)) : pyramidCoverage(at, frame.picture.xy, pixels);
-    if (meeting.wall > 0.0) f.share = meeting.wall;
+    if (intersection.wall > 0.0) f.share = intersection.wall;
     outside *= OUTSIDE_FADE * frame.picture.y;
     f.at = at;
     f.variance = pixels * pixels + dot(outside, outside);
     return f;
 }
 
-// What the picture shows there: radiance, and in w the share of the beam that it stands for. Where less than half of the blur falls
+// What the picture shows there: radiance, and in w the share of the lobe that it stands for. Where less than half of the blur falls
 // on what can be behind, the environment comes in for the rest.
 vec4 pictureRadiance(Footprint f) {
     if (!(f.share > 0.0)) return vec4(0.0);
@@ -359,9 +359,9 @@ vec4 pictureRadiance(Footprint f) {
     return vec4(seen.w > 0.0 ? seen.xyz / seen.w : vec3(0.0), f.share * min(2.0 * seen.w, 1.0));
 }
 
-// Radiance that arrives along the beam.
-vec3 beamRadiance(Beam beam, Meeting meeting) {
-    vec4 near = pictureRadiance(footprintOf(beam, meeting));
+// Radiance that arrives along the lobe.
+vec3 lobeRayRadiance(LobeRay lobe, Intersection intersection) {
+    vec4 near = pictureRadiance(footprintOf(lobe, intersection));
     if (near.w >= 0.999) return near.xyz; // what is left, a thousandth, is below what 8 bits show
-    return mix(farRadiance(beam.direction, seenSigma(beam)), near.xyz, near.w);
+    return mix(farRadiance(lobe.direction, seenSigma(lobe)), near.xyz, near.w);
 }

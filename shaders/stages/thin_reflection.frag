@@ -30,7 +30,7 @@ void main() {
         EnvironmentLight light = environmentLobe(s);
         radiance += light.diffuse;
         ThinWallEnergy energy = wallEnergy(dot(s.wo, s.n), s.alpha, ior);
-        MirrorBeams mirror = withReflectedLater(mirrorBeams(s, light), tint * energy.reflectedLater, ior);
+        MirrorLobes mirror = withReflectedLater(mirrorLobes(s, light), tint * energy.reflectedLater, ior);
         radiance += mirrorRadiance(mirror, tint * energy.transmitted);
     }
     if (hasLights) radiance += punctualLight(s);

@@ -24,9 +24,9 @@ void main() {
     float coverage = alphaMode == 2 ? base.w : 1.0;
     Surface s = readSurface(base);
     ThinWall wall = throughThinWall(s, glassIor());
-    WeightedBeam core = seenThrough(wall.through.core, transmissionTint(s));
-    WeightedBeam rest = wall.through.rest;
-    rest.beam.turn = core.beam.turn;
+    WeightedLobe core = seenThrough(wall.through.core, transmissionTint(s));
+    WeightedLobe rest = wall.through.rest;
+    rest.lobe.turn = core.lobe.turn;
     rest.weight *= transmissionTint(s);
-    outColor = vec4(pairRadiance(core, rest, entryTaps > 1, -1.0, true) * coverage, coverage);
+    outColor = vec4(pairRadiance(core, rest, entryLobes > 1, -1.0, true) * coverage, coverage);
 }

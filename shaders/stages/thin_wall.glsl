@@ -1,6 +1,6 @@
-// thin_wall.glsl: the light that comes through a wall of no thickness, as beams that leave it, and what it adds to the mirror's.
+// thin_wall.glsl: the light that comes through a wall of no thickness, as lobes that leave it, and what it adds to the mirror's.
 // Frame    world, metres; directions unit.
-// Needs    stages/glass_beams.glsl, stages/glass_faces.glsl.
+// Needs    stages/weighted_lobes.glsl, stages/glass_faces.glsl.
 // Source   refraction/thin_wall_table.glsl: all orders of reflection between the two faces.
 #include "refraction/thin_wall_table_fetch.glsl"
 
@@ -8,7 +8,7 @@ layout(binding = 29) uniform sampler3D wallEnergyTable;
 layout(binding = 30) uniform sampler3D wallLobeTable;
 
 struct ThinWall {
-    GlassBeams through;
+    GlassLobes through;
     float reflectedLater; // what comes back from within, by the mirror's way
 };
 
@@ -22,16 +22,16 @@ ThinWallEnergy wallEnergy(float cosTheta, float alpha, float ior) {
     return e;
 }
 
-WeightedBeam wallBeam(Surface s, int tap, float ior, float transmitted) {
+WeightedLobe wallLobe(Surface s, int lobe, float ior, float transmitted) {
     if (isSmooth) {
-        WeightedBeam straight;
-        straight.beam = straightBeam(s.position, -s.wo, 0.0);
+        WeightedLobe straight;
+        straight.lobe = lobeRay(s.position, -s.wo, 0.0);
         straight.weight = vec3(transmitted);
         return straight;
     }
-    InterfaceTap read = fetchThinWallTap(wallLobeTable, tap, entryTaps, dot(s.wo, s.n), s.alpha, ior);
-    WeightedBeam w;
-    w.beam = straightBeam(s.position, interfaceTapDirection(s.wo, s.n, read.angle), read.sigma);
+    InterfaceLobe read = fetchThinWallLobe(wallLobeTable, lobe, entryLobes, dot(s.wo, s.n), s.alpha, ior);
+    WeightedLobe w;
+    w.lobe = lobeRay(s.position, interfaceLobeDirection(s.wo, s.n, read.angle), read.sigma);
     w.weight = vec3(read.weight * transmitted);
     return w;
 }
@@ -40,11 +40,11 @@ ThinWall throughThinWall(Surface s, float ior) {
     ThinWallEnergy energy = wallEnergy(dot(s.wo, s.n), s.alpha, ior);
     ThinWall wall;
     wall.reflectedLater = energy.reflectedLater;
-    wall.through.core = wallBeam(s, 0, ior, energy.transmitted);
-    wall.through.rest = noBeam(s.position, s.n);
-    if (entryTaps > 1) wall.through.rest = wallBeam(s, 1, ior, energy.transmitted);
-    wall.through.bounced = noBeam(s.position, s.n);
-    wall.through.leftOver = noBeam(s.position, s.n);
+    wall.through.core = wallLobe(s, 0, ior, energy.transmitted);
+    wall.through.rest = noLobe(s.position, s.n);
+    if (entryLobes > 1) wall.through.rest = wallLobe(s, 1, ior, energy.transmitted);
+    wall.through.reflectedInside = noLobe(s.position, s.n);
+    wall.through.residual = noLobe(s.position, s.n);
     wall.through.within = -1.0;
     // The far face, for those who sample both.
     wall.through.leaving.n = -s.n;
@@ -55,16 +55,16 @@ ThinWall throughThinWall(Surface s, float ior) {
     return wall;
 }
 
-// The mirror's beams, and with them what comes back from within the wall: the same directions, wider lobes.
-MirrorBeams withReflectedLater(MirrorBeams mirror, vec3 later, float ior) {
+// The mirror's lobes, and with them what comes back from within the wall: the same directions, wider lobes.
+MirrorLobes withReflectedLater(MirrorLobes mirror, vec3 later, float ior) {
     vec3 before = mirror.core.weight + mirror.rest.weight;
     vec3 more = 1.0 + later / max(before, vec3(1e-30));
     float share = 1.0 - 1.0 / largest(more);
     float wider = sqrt(mix(1.0, thinWallLaterSpread(ior) * thinWallLaterSpread(ior), share));
-    MirrorBeams both = mirror;
-    both.core.beam.sigma *= wider;
+    MirrorLobes both = mirror;
+    both.core.lobe.sigma *= wider;
     both.core.weight *= more;
-    both.rest.beam.sigma *= wider;
+    both.rest.lobe.sigma *= wider;
     both.rest.weight *= more;
     return both;
 }

@@ -1,4 +1,4 @@
-// Made by shaders/wgsl/make of 2dc3f03f55f67114f24358ab8f95bf95c445c59ad3d88afd32e5f9413a481d51: do not edit.
+// Made by shaders/wgsl/make of ce7bbf4ee02bb2189a10f1ca33b4633a2c19201b0fcd5d6dd859ee3f255e6e3d: do not edit.
 struct Tilt {
     p: f32,
     z: f32,
@@ -103,7 +103,7 @@ struct LobeEnergy {
     share1_: f32,
 }
 
-struct LobeTap {
+struct ReflectionLobe {
     direction: vec3<f32>,
     sigma: f32,
     weight: f32,
@@ -122,7 +122,7 @@ struct ExitSurface {
     turn: vec2<f32>,
 }
 
-struct InnerTap {
+struct InnerLobe {
     direction: vec3<f32>,
     sigma: f32,
     weight: f32,
@@ -184,7 +184,7 @@ struct SceneView {
     reach: f32,
 }
 
-struct SceneMeeting {
+struct SceneIntersection {
     metres: f32,
     seen: bool,
 }
@@ -201,15 +201,7 @@ struct BackFaceExit {
     found: bool,
 }
 
-struct BeamPart {
-    direction: vec3<f32>,
-    aside: vec3<f32>,
-    sigma: f32,
-    inner: f32,
-    carried: f32,
-}
-
-struct ComposedTap {
+struct ComposedLobe {
     direction: vec3<f32>,
     sigma: f32,
     weight: f32,
@@ -218,8 +210,8 @@ struct ComposedTap {
 }
 
 struct ComposedPair {
-    core: ComposedTap,
-    rest: ComposedTap,
+    core: ComposedLobe,
+    rest: ComposedLobe,
 }
 
 struct InterfaceEnergy {
@@ -227,7 +219,7 @@ struct InterfaceEnergy {
     reflected: f32,
 }
 
-struct InterfaceTap {
+struct InterfaceLobe {
     angle: f32,
     sigma: f32,
     weight: f32,
@@ -241,12 +233,12 @@ struct GlassFace {
     turn: f32,
 }
 
-struct Wandering {
+struct InternalScattering {
     passes: f32,
     back: f32,
 }
 
-struct WanderingLoss {
+struct InternalScatteringLoss {
     linear: f32,
     constant: f32,
     thin: f32,
@@ -254,16 +246,24 @@ struct WanderingLoss {
 }
 
 struct Entering {
-    core: InnerTap,
-    tail: InnerTap,
+    core: InnerLobe,
+    tail: InnerLobe,
     energy: f32,
 }
 
 struct WayOut {
-    tap: InnerTap,
+    lobe: InnerLobe,
     exit: ConvexExit,
     point: vec3<f32>,
     found: bool,
+}
+
+struct LobeStratum {
+    direction: vec3<f32>,
+    aside: vec3<f32>,
+    sigma: f32,
+    inner: f32,
+    carried: f32,
 }
 
 struct ThinWallEnergy {
@@ -4716,23 +4716,23 @@ fn energyCoordinate(cosTheta_22: f32, alpha_74: f32) -> vec2<f32> {
     return vec2<f32>(_e21, _e26);
 }
 
-fn lobeCoordinateOf(tap: i32, taps: i32, cosTheta_24: f32, alpha_76: f32, edge: f32) -> vec3<f32> {
-    var tap_1: i32;
-    var taps_1: i32;
+fn lobeCoordinateOf(lobe: i32, lobes: i32, cosTheta_24: f32, alpha_76: f32, edge: f32) -> vec3<f32> {
+    var lobe_1: i32;
+    var lobes_1: i32;
     var cosTheta_25: f32;
     var alpha_77: f32;
     var edge_1: f32;
 
-    tap_1 = tap;
-    taps_1 = taps;
+    lobe_1 = lobe;
+    lobes_1 = lobes;
     cosTheta_25 = cosTheta_24;
     alpha_77 = alpha_76;
     edge_1 = edge;
     let _e23 = cosTheta_25;
     let _e27 = tableCoordinate(sqrt(max(_e23, 0f)), LOBE_TABLE_SIZE);
     let _e28 = alpha_77;
-    let _e32 = tap_1;
-    let _e33 = taps_1;
+    let _e32 = lobe_1;
+    let _e33 = lobes_1;
     let _e34 = blockCoordinate(sqrt(max(_e28, 0f)), LOBE_TABLE_SIZE, _e32, _e33);
     let _e35 = edge_1;
     let _e36 = tableCoordinate(_e35, LOBE_TABLE_SLICES);
@@ -5065,15 +5065,15 @@ fn stretchedAlbedo(wo_52: vec3<f32>, alpha_86: vec2<f32>) -> f32 {
     return min(_e42, 1f);
 }
 
-fn wideningGgx(taps_2: i32) -> Widening {
-    var taps_3: i32;
+fn wideningGgx(lobes_2: i32) -> Widening {
+    var lobes_3: i32;
     var k_16: Widening;
     var local_54: f32;
     var local_55: f32;
     var local_56: f32;
 
-    taps_3 = taps_2;
-    let _e19 = taps_3;
+    lobes_3 = lobes_2;
+    let _e19 = lobes_3;
     if (_e19 > 1i) {
         local_54 = 0.7f;
     } else {
@@ -5081,7 +5081,7 @@ fn wideningGgx(taps_2: i32) -> Widening {
     }
     let _e25 = local_54;
     k_16.shape = _e25;
-    let _e27 = taps_3;
+    let _e27 = lobes_3;
     if (_e27 > 1i) {
         local_55 = 0.91f;
     } else {
@@ -5089,7 +5089,7 @@ fn wideningGgx(taps_2: i32) -> Widening {
     }
     let _e33 = local_55;
     k_16.shapeRays = _e33;
-    let _e35 = taps_3;
+    let _e35 = lobes_3;
     if (_e35 > 1i) {
         local_56 = 1.05f;
     } else {
@@ -5102,15 +5102,15 @@ fn wideningGgx(taps_2: i32) -> Widening {
     return _e44;
 }
 
-fn wideningBeckmann(taps_4: i32) -> Widening {
-    var taps_5: i32;
+fn wideningBeckmann(lobes_4: i32) -> Widening {
+    var lobes_5: i32;
     var k_17: Widening;
     var local_57: f32;
     var local_58: f32;
     var local_59: f32;
 
-    taps_5 = taps_4;
-    let _e19 = taps_5;
+    lobes_5 = lobes_4;
+    let _e19 = lobes_5;
     if (_e19 > 1i) {
         local_57 = 1f;
     } else {
@@ -5118,7 +5118,7 @@ fn wideningBeckmann(taps_4: i32) -> Widening {
     }
     let _e25 = local_57;
     k_17.shape = _e25;
-    let _e27 = taps_5;
+    let _e27 = lobes_5;
     if (_e27 > 1i) {
         local_58 = 1.3f;
     } else {
@@ -5126,7 +5126,7 @@ fn wideningBeckmann(taps_4: i32) -> Widening {
     }
     let _e33 = local_58;
     k_17.shapeRays = _e33;
-    let _e35 = taps_5;
+    let _e35 = lobes_5;
     if (_e35 > 1i) {
         local_59 = 1.3f;
     } else {
@@ -5166,8 +5166,8 @@ fn sphereTurn(cosTheta_32: f32) -> vec2<f32> {
     return vec2<f32>(2f, (2f * _e19));
 }
 
-fn seeExit(inner: InnerTap, core: bool, s_8: ExitSurface, k_18: Widening) -> ExitView {
-    var inner_1: InnerTap;
+fn seeExit(inner: InnerLobe, core: bool, s_8: ExitSurface, k_18: Widening) -> ExitView {
+    var inner_1: InnerLobe;
     var core_1: bool;
     var s_9: ExitSurface;
     var k_19: Widening;
@@ -5961,11 +5961,11 @@ fn scenePixel(clip_1: vec4<f32>, size_20: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(((0.5f + ((0.5f * _e29.x) / _e32.w)) * _e36.x), ((0.5f - ((0.5f * _e41.y) / _e44.w)) * _e48.y));
 }
 
-fn sceneGuess(origin_4: vec4<f32>, along_7: vec4<f32>, view_11: SceneView) -> SceneMeeting {
+fn sceneGuess(origin_4: vec4<f32>, along_7: vec4<f32>, view_11: SceneView) -> SceneIntersection {
     var origin_5: vec4<f32>;
     var along_8: vec4<f32>;
     var view_12: SceneView;
-    var met: SceneMeeting;
+    var met: SceneIntersection;
     var at_14: vec2<f32>;
     var k_22: i32 = 0i;
     var depth_7: f32;
@@ -6091,7 +6091,7 @@ fn sceneShown(origin_6: vec4<f32>, way_4: vec4<f32>) -> f32 {
     return min(_e100, ((0.99f * _e102.w) / max(-(_e105.w), (0.99f * _e109.w))));
 }
 
-fn sceneMarch(origin_8: vec4<f32>, along_9: vec4<f32>, view_13: SceneView) -> SceneMeeting {
+fn sceneMarch(origin_8: vec4<f32>, along_9: vec4<f32>, view_13: SceneView) -> SceneIntersection {
     var origin_9: vec4<f32>;
     var along_10: vec4<f32>;
     var view_14: SceneView;
@@ -6100,7 +6100,7 @@ fn sceneMarch(origin_8: vec4<f32>, along_9: vec4<f32>, view_13: SceneView) -> Sc
     var to: vec4<f32>;
     var a_28: vec3<f32>;
     var b_19: vec3<f32>;
-    var met_1: SceneMeeting;
+    var met_1: SceneIntersection;
     var low_7: f32 = 0f;
     var heightLow: f32 = 0f;
     var high_2: f32 = 1f;
@@ -6335,13 +6335,13 @@ fn sceneMarch(origin_8: vec4<f32>, along_9: vec4<f32>, view_13: SceneView) -> Sc
     return _e341;
 }
 
-fn sceneMeeting(origin_10: vec3<f32>, direction_10: vec3<f32>, view_15: SceneView) -> SceneMeeting {
+fn sceneIntersection(origin_10: vec3<f32>, direction_10: vec3<f32>, view_15: SceneView) -> SceneIntersection {
     var origin_11: vec3<f32>;
     var direction_11: vec3<f32>;
     var view_16: SceneView;
     var from_: vec4<f32>;
     var along_11: vec4<f32>;
-    var met_2: SceneMeeting;
+    var met_2: SceneIntersection;
 
     origin_11 = origin_10;
     direction_11 = direction_10;
@@ -6760,136 +6760,22 @@ fn backFaceExit(origin_14: vec3<f32>, direction_14: vec3<f32>, first_6: f32, eta
     return _e208;
 }
 
-fn beamSide(direction_16: vec3<f32>) -> vec3<f32> {
-    var direction_17: vec3<f32>;
-    var level: vec3<f32>;
-    var s_12: f32;
-    var local_81: vec3<f32>;
-
-    direction_17 = direction_16;
-    let _e26 = direction_17;
-    let _e29 = direction_17;
-    level = vec3<f32>(_e26.z, 0f, -(_e29.x));
-    let _e34 = level;
-    let _e35 = level;
-    s_12 = dot(_e34, _e35);
-    let _e38 = s_12;
-    if (_e38 > 0f) {
-        let _e41 = level;
-        let _e42 = s_12;
-        local_81 = (_e41 * inverseSqrt(_e42));
-    } else {
-        local_81 = vec3<f32>(1f, 0f, 0f);
-    }
-    let _e50 = local_81;
-    return _e50;
-}
-
-fn beamPart(direction_18: vec3<f32>, sigma_4: f32, inner_2: f32, carried: f32, part_2: vec3<f32>) -> BeamPart {
-    var direction_19: vec3<f32>;
-    var sigma_5: f32;
-    var inner_3: f32;
-    var carried_1: f32;
-    var part_3: vec3<f32>;
-    var side_3: vec3<f32>;
-    var off_2: vec3<f32>;
-    var turn_2: f32;
-    var p_17: BeamPart;
-    var local_82: f32;
-    var local_83: f32;
-    var together: f32;
-    var rest_5: f32;
-    var local_84: f32;
-
-    direction_19 = direction_18;
-    sigma_5 = sigma_4;
-    inner_3 = inner_2;
-    carried_1 = carried;
-    part_3 = part_2;
-    let _e34 = direction_19;
-    let _e35 = beamSide(_e34);
-    side_3 = _e35;
-    let _e37 = part_3;
-    let _e39 = side_3;
-    let _e41 = part_3;
-    let _e43 = direction_19;
-    let _e44 = side_3;
-    off_2 = ((_e37.x * _e39) + (_e41.y * cross(_e43, _e44)));
-    let _e49 = sigma_5;
-    let _e50 = off_2;
-    turn_2 = (_e49 * length(_e50));
-    let _e56 = turn_2;
-    let _e58 = direction_19;
-    let _e60 = turn_2;
-    if (_e60 > 0f) {
-        let _e63 = turn_2;
-        let _e65 = turn_2;
-        local_82 = (sin(_e63) / _e65);
-    } else {
-        local_82 = 1f;
-    }
-    let _e69 = local_82;
-    let _e70 = sigma_5;
-    let _e72 = off_2;
-    p_17.direction = ((cos(_e56) * _e58) + ((_e69 * _e70) * _e72));
-    let _e76 = part_3;
-    let _e78 = sigma_5;
-    p_17.sigma = (_e76.z * _e78);
-    let _e80 = sigma_5;
-    if (_e80 > 0f) {
-        let _e83 = carried_1;
-        let _e84 = sigma_5;
-        local_83 = clamp((_e83 / _e84), -1f, 1f);
-    } else {
-        local_83 = 0f;
-    }
-    let _e92 = local_83;
-    together = _e92;
-    let _e95 = together;
-    let _e96 = inner_3;
-    let _e98 = off_2;
-    p_17.aside = ((_e95 * _e96) * _e98);
-    let _e101 = together;
-    let _e102 = together;
-    let _e105 = part_3;
-    let _e107 = part_3;
-    rest_5 = sqrt(max((1f - ((_e101 * _e102) * (1f - (_e105.z * _e107.z)))), 0f));
-    let _e118 = rest_5;
-    let _e119 = inner_3;
-    p_17.inner = (_e118 * _e119);
-    let _e122 = rest_5;
-    if (_e122 > 0f) {
-        let _e125 = together;
-        let _e126 = sigma_5;
-        let _e128 = part_3;
-        let _e131 = part_3;
-        let _e134 = rest_5;
-        local_84 = ((((_e125 * _e126) * _e128.z) * _e131.z) / _e134);
-    } else {
-        local_84 = 0f;
-    }
-    let _e138 = local_84;
-    p_17.carried = _e138;
-    let _e139 = p_17;
-    return _e139;
-}
-
-fn composeTap(inner_4: InnerTap, view_27: ExitView, s_13: ExitSurface, angle: f32, sigma_6: f32, weight: f32, energy_1: f32) -> ComposedTap {
-    var inner_5: InnerTap;
+fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_12: ExitSurface, angle: f32, sigma_4: f32, weight: f32, energy_1: f32) -> ComposedLobe {
+    var inner_3: InnerLobe;
     var view_28: ExitView;
-    var s_14: ExitSurface;
+    var s_13: ExitSurface;
     var angle_1: f32;
-    var sigma_7: f32;
+    var sigma_5: f32;
     var weight_1: f32;
     var energy_2: f32;
-    var tap_2: ComposedTap;
+    var lobe_2: ComposedLobe;
     var ratio_1: f32;
     var along_12: vec3<f32>;
     var sinTheta: f32;
     var t_29: vec3<f32>;
     var d_17: vec2<f32>;
     var l_4: vec2<f32>;
-    var local_85: f32;
+    var local_81: f32;
     var h_15: vec2<f32>;
     var bend: f32;
     var ci: f32;
@@ -6902,43 +6788,43 @@ fn composeTap(inner_4: InnerTap, view_27: ExitView, s_13: ExitSurface, angle: f3
     var sigma2_: f32;
     var inPlane: f32;
     var outOfPlane: f32;
-    var local_86: f32;
+    var local_82: f32;
     var carriedInPlane: f32;
 
-    inner_5 = inner_4;
+    inner_3 = inner_2;
     view_28 = view_27;
-    s_14 = s_13;
+    s_13 = s_12;
     angle_1 = angle;
-    sigma_7 = sigma_6;
+    sigma_5 = sigma_4;
     weight_1 = weight;
     energy_2 = energy_1;
-    let _e44 = inner_5;
-    tap_2.direction = _e44.direction;
-    let _e47 = inner_5;
-    tap_2.sigma = _e47.sigma;
-    let _e50 = inner_5;
-    tap_2.inner = _e50.sigma;
-    let _e53 = inner_5;
-    tap_2.carried = _e53.sigma;
-    let _e56 = inner_5;
+    let _e44 = inner_3;
+    lobe_2.direction = _e44.direction;
+    let _e47 = inner_3;
+    lobe_2.sigma = _e47.sigma;
+    let _e50 = inner_3;
+    lobe_2.inner = _e50.sigma;
+    let _e53 = inner_3;
+    lobe_2.carried = _e53.sigma;
+    let _e56 = inner_3;
     let _e58 = weight_1;
     let _e60 = energy_2;
-    tap_2.weight = ((_e56.weight * _e58) * _e60);
+    lobe_2.weight = ((_e56.weight * _e58) * _e60);
     let _e62 = view_28;
     if !((_e62.cosTheta > 0f)) {
-        tap_2.weight = 0f;
+        lobe_2.weight = 0f;
     }
-    let _e70 = s_14;
+    let _e70 = s_13;
     ratio_1 = (1f / _e70.eta);
     let _e74 = view_28;
     let _e79 = ratio_1;
     if (!((_e74.cosTheta > 0f)) || (abs((_e79 - 1f)) < INDEX_MATCHED)) {
-        let _e85 = tap_2;
+        let _e85 = lobe_2;
         return _e85;
     }
-    let _e86 = inner_5;
+    let _e86 = inner_3;
     let _e88 = view_28;
-    let _e90 = s_14;
+    let _e90 = s_13;
     along_12 = (_e86.direction - (_e88.cosTheta * _e90.n));
     let _e95 = along_12;
     sinTheta = length(_e95);
@@ -6956,11 +6842,11 @@ fn composeTap(inner_4: InnerTap, view_27: ExitView, s_13: ExitSurface, angle: f3
     let _e119 = l_4;
     let _e121 = ratio_1;
     if (_e121 < 1f) {
-        local_85 = -1f;
+        local_81 = -1f;
     } else {
-        local_85 = 1f;
+        local_81 = 1f;
     }
-    let _e128 = local_85;
+    let _e128 = local_81;
     h_15 = (((_e116 * _e117) - _e119) * _e128);
     let _e131 = h_15;
     bend = max(length(_e131), 0.00005f);
@@ -6983,14 +6869,14 @@ fn composeTap(inner_4: InnerTap, view_27: ExitView, s_13: ExitSurface, angle: f3
     let _e180 = turned;
     let _e182 = t_29;
     let _e184 = turned;
-    let _e186 = s_14;
-    tap_2.direction = normalize(((sin(_e180) * _e182) + (cos(_e184) * _e186.n)));
+    let _e186 = s_13;
+    lobe_2.direction = normalize(((sin(_e180) * _e182) + (cos(_e184) * _e186.n)));
     let _e191 = view_28;
     let _e193 = rays_1;
     let _e195 = view_28;
     let _e199 = view_28;
     kept = (_e191.own - ((_e193 * (1f - _e195.swing)) / _e199.swing));
-    let _e204 = sigma_7;
+    let _e204 = sigma_5;
     let _e205 = co;
     let _e208 = ratio_1;
     let _e209 = ci;
@@ -7002,10 +6888,10 @@ fn composeTap(inner_4: InnerTap, view_27: ExitView, s_13: ExitSurface, angle: f3
     let _e220 = co;
     let _e221 = ratio_1;
     let _e222 = ci;
-    let _e225 = s_14;
+    let _e225 = s_13;
     across_10 = (_e219 + ((_e220 - (_e221 * _e222)) * _e225.turn.y));
-    let _e231 = inner_5;
-    let _e233 = inner_5;
+    let _e231 = inner_3;
+    let _e233 = inner_3;
     sigma2_ = (_e231.sigma * _e233.sigma);
     let _e237 = seen_1;
     let _e238 = seen_1;
@@ -7013,8 +6899,8 @@ fn composeTap(inner_4: InnerTap, view_27: ExitView, s_13: ExitSurface, angle: f3
     let _e242 = sigma2_;
     inPlane = min(((_e237 * _e238) + (_e240.own * _e242)), 0.09f);
     let _e250 = view_28;
-    let _e252 = sigma_7;
-    let _e254 = sigma_7;
+    let _e252 = sigma_5;
+    let _e254 = sigma_5;
     let _e256 = co;
     let _e258 = across_10;
     let _e259 = across_10;
@@ -7022,43 +6908,43 @@ fn composeTap(inner_4: InnerTap, view_27: ExitView, s_13: ExitSurface, angle: f3
     outOfPlane = ((((_e250.own * _e252) * _e254) * _e256) + ((_e258 * _e259) * _e261));
     let _e266 = inPlane;
     let _e267 = outOfPlane;
-    tap_2.sigma = sqrt(sqrt((_e266 * _e267)));
+    lobe_2.sigma = sqrt(sqrt((_e266 * _e267)));
     let _e271 = view_28;
     if (_e271.swing < 0f) {
         let _e275 = rays_1;
-        local_86 = -(sqrt(_e275));
+        local_82 = -(sqrt(_e275));
     } else {
         let _e278 = rays_1;
-        local_86 = sqrt(_e278);
+        local_82 = sqrt(_e278);
     }
-    let _e281 = local_86;
+    let _e281 = local_82;
     let _e282 = seen_1;
     let _e284 = view_28;
-    let _e286 = inner_5;
+    let _e286 = inner_3;
     carriedInPlane = ((_e281 * _e282) + (_e284.own * _e286.sigma));
     let _e293 = carriedInPlane;
     let _e294 = across_10;
-    let _e295 = inner_5;
-    let _e300 = tap_2;
-    let _e303 = tap_2;
-    tap_2.carried = clamp((0.5f * (_e293 + (_e294 * _e295.sigma))), -(_e300.sigma), _e303.sigma);
-    let _e306 = tap_2;
+    let _e295 = inner_3;
+    let _e300 = lobe_2;
+    let _e303 = lobe_2;
+    lobe_2.carried = clamp((0.5f * (_e293 + (_e294 * _e295.sigma))), -(_e300.sigma), _e303.sigma);
+    let _e306 = lobe_2;
     return _e306;
 }
 
-fn mergeTaps(a_29: ComposedTap, b_20: ComposedTap) -> ComposedTap {
-    var a_30: ComposedTap;
-    var b_21: ComposedTap;
+fn mergeLobes(a_29: ComposedLobe, b_20: ComposedLobe) -> ComposedLobe {
+    var a_30: ComposedLobe;
+    var b_21: ComposedLobe;
     var weight_2: f32;
-    var local_87: f32;
+    var local_83: f32;
     var share_3: f32;
     var apart_1: vec3<f32>;
     var mean_2: vec3<f32>;
     var inner2_: f32;
     var both: f32;
-    var tap_3: ComposedTap;
-    var local_88: vec3<f32>;
-    var local_89: f32;
+    var lobe_3: ComposedLobe;
+    var local_84: vec3<f32>;
+    var local_85: f32;
 
     a_30 = a_29;
     b_21 = b_20;
@@ -7069,11 +6955,11 @@ fn mergeTaps(a_29: ComposedTap, b_20: ComposedTap) -> ComposedTap {
     if (_e38 > 0f) {
         let _e41 = b_21;
         let _e43 = weight_2;
-        local_87 = (_e41.weight / _e43);
+        local_83 = (_e41.weight / _e43);
     } else {
-        local_87 = 0f;
+        local_83 = 0f;
     }
-    let _e47 = local_87;
+    let _e47 = local_83;
     share_3 = _e47;
     let _e49 = b_21;
     let _e51 = a_30;
@@ -7095,18 +6981,18 @@ fn mergeTaps(a_29: ComposedTap, b_20: ComposedTap) -> ComposedTap {
     let _e85 = share_3;
     both = mix((_e75.inner * _e77.carried), (_e80.inner * _e82.carried), _e85);
     let _e90 = weight_2;
-    tap_3.weight = _e90;
+    lobe_3.weight = _e90;
     let _e92 = mean_2;
     let _e93 = mean_2;
     if (dot(_e92, _e93) > 0.000001f) {
         let _e97 = mean_2;
-        local_88 = normalize(_e97);
+        local_84 = normalize(_e97);
     } else {
         let _e99 = a_30;
-        local_88 = _e99.direction;
+        local_84 = _e99.direction;
     }
-    let _e102 = local_88;
-    tap_3.direction = _e102;
+    let _e102 = local_84;
+    lobe_3.direction = _e102;
     let _e104 = a_30;
     let _e106 = a_30;
     let _e109 = b_21;
@@ -7116,26 +7002,26 @@ fn mergeTaps(a_29: ComposedTap, b_20: ComposedTap) -> ComposedTap {
     let _e120 = share_3;
     let _e123 = apart_1;
     let _e124 = apart_1;
-    tap_3.sigma = sqrt((mix((_e104.sigma * _e106.sigma), (_e109.sigma * _e111.sigma), _e114) + (((0.5f * _e117) * (1f - _e120)) * dot(_e123, _e124))));
+    lobe_3.sigma = sqrt((mix((_e104.sigma * _e106.sigma), (_e109.sigma * _e111.sigma), _e114) + (((0.5f * _e117) * (1f - _e120)) * dot(_e123, _e124))));
     let _e130 = inner2_;
-    tap_3.inner = sqrt(_e130);
-    let _e133 = tap_3;
+    lobe_3.inner = sqrt(_e130);
+    let _e133 = lobe_3;
     if (_e133.inner > 0f) {
         let _e137 = both;
-        let _e138 = tap_3;
-        local_89 = (_e137 / _e138.inner);
+        let _e138 = lobe_3;
+        local_85 = (_e137 / _e138.inner);
     } else {
-        local_89 = 0f;
+        local_85 = 0f;
     }
-    let _e143 = local_89;
-    tap_3.carried = _e143;
-    let _e144 = tap_3;
+    let _e143 = local_85;
+    lobe_3.carried = _e143;
+    let _e144 = lobe_3;
     return _e144;
 }
 
-fn composedPair(core_2: ComposedTap, tail_1: ComposedTap, view_29: ExitView) -> ComposedPair {
-    var core_3: ComposedTap;
-    var tail_2: ComposedTap;
+fn composedPair(core_2: ComposedLobe, tail_1: ComposedLobe, view_29: ExitView) -> ComposedPair {
+    var core_3: ComposedLobe;
+    var tail_2: ComposedLobe;
     var view_30: ExitView;
     var moved_1: f32;
     var pair_1: ComposedPair;
@@ -7171,9 +7057,9 @@ fn mergePairs(core_4: ComposedPair, tail_3: ComposedPair) -> ComposedPair {
     pair_2.core = _e34.core;
     let _e37 = core_5;
     let _e39 = tail_4;
-    let _e41 = mergeTaps(_e37.rest, _e39.core);
+    let _e41 = mergeLobes(_e37.rest, _e39.core);
     let _e42 = tail_4;
-    let _e44 = mergeTaps(_e41, _e42.rest);
+    let _e44 = mergeLobes(_e41, _e42.rest);
     pair_2.rest = _e44;
     let _e45 = pair_2;
     return _e45;
@@ -7185,14 +7071,14 @@ fn interfaceCosineAxis(cosTheta_35: f32, eta_46: f32) -> f32 {
     var c_27: f32;
     var critical: f32;
     var past: bool;
-    var local_90: f32;
+    var local_86: f32;
     var along_13: f32;
     var grazing: bool;
-    var local_91: f32;
-    var local_92: f32;
+    var local_87: f32;
+    var local_88: f32;
     var x_23: f32;
-    var local_93: f32;
-    var local_94: f32;
+    var local_89: f32;
+    var local_90: f32;
 
     cosTheta_36 = cosTheta_35;
     eta_47 = eta_46;
@@ -7213,14 +7099,14 @@ fn interfaceCosineAxis(cosTheta_35: f32, eta_46: f32) -> f32 {
     if _e61 {
         let _e62 = c_27;
         let _e63 = critical;
-        local_90 = (_e62 / _e63);
+        local_86 = (_e62 / _e63);
     } else {
         let _e65 = c_27;
         let _e66 = critical;
         let _e69 = critical;
-        local_90 = ((_e65 - _e66) / (1f - _e69));
+        local_86 = ((_e65 - _e66) / (1f - _e69));
     }
-    let _e73 = local_90;
+    let _e73 = local_86;
     along_13 = _e73;
     let _e75 = past;
     let _e76 = along_13;
@@ -7230,36 +7116,36 @@ fn interfaceCosineAxis(cosTheta_35: f32, eta_46: f32) -> f32 {
         let _e83 = grazing;
         if _e83 {
             let _e84 = along_13;
-            local_91 = _e84;
+            local_87 = _e84;
         } else {
             let _e86 = along_13;
-            local_91 = (1f - _e86);
+            local_87 = (1f - _e86);
         }
-        let _e89 = local_91;
-        local_92 = (0.125f * _e89);
+        let _e89 = local_87;
+        local_88 = (0.125f * _e89);
     } else {
         let _e92 = along_13;
-        local_92 = (0.25f * _e92);
+        local_88 = (0.25f * _e92);
     }
-    let _e95 = local_92;
+    let _e95 = local_88;
     x_23 = sqrt(_e95);
     let _e98 = grazing;
     if _e98 {
         let _e99 = x_23;
-        local_94 = _e99;
+        local_90 = _e99;
     } else {
         let _e100 = past;
         if _e100 {
             let _e102 = x_23;
-            local_93 = (0.5f - _e102);
+            local_89 = (0.5f - _e102);
         } else {
             let _e105 = x_23;
-            local_93 = (0.5f + _e105);
+            local_89 = (0.5f + _e105);
         }
-        let _e108 = local_93;
-        local_94 = _e108;
+        let _e108 = local_89;
+        local_90 = _e108;
     }
-    let _e110 = local_94;
+    let _e110 = local_90;
     return _e110;
 }
 
@@ -7268,7 +7154,7 @@ fn interfaceCosineAt(x_24: f32, eta_48: f32) -> f32 {
     var eta_49: f32;
     var critical_1: f32;
     var away: f32;
-    var local_95: f32;
+    var local_91: f32;
 
     x_25 = x_24;
     eta_49 = eta_48;
@@ -7296,31 +7182,31 @@ fn interfaceCosineAt(x_24: f32, eta_48: f32) -> f32 {
     if (_e72 < 0.25f) {
         let _e76 = x_25;
         let _e78 = x_25;
-        local_95 = ((8f * _e76) * _e78);
+        local_91 = ((8f * _e76) * _e78);
     } else {
         let _e82 = away;
         let _e84 = away;
-        local_95 = (1f - ((8f * _e82) * _e84));
+        local_91 = (1f - ((8f * _e82) * _e84));
     }
-    let _e88 = local_95;
+    let _e88 = local_91;
     return (_e71 * _e88);
 }
 
 fn interfaceEtaAxis(eta_50: f32) -> f32 {
     var eta_51: f32;
-    var local_96: f32;
+    var local_92: f32;
     var n_40: f32;
 
     eta_51 = eta_50;
     let _e36 = eta_51;
     if (_e36 < 1f) {
         let _e40 = eta_51;
-        local_96 = (1f / max(_e40, 0.01f));
+        local_92 = (1f / max(_e40, 0.01f));
     } else {
         let _e44 = eta_51;
-        local_96 = _e44;
+        local_92 = _e44;
     }
-    let _e46 = local_96;
+    let _e46 = local_92;
     n_40 = clamp(_e46, 1f, INTERFACE_GREATEST_ETA);
     let _e50 = n_40;
     let _e53 = n_40;
@@ -7331,7 +7217,7 @@ fn interfaceEnergyCoordinate(cosTheta_37: f32, alpha_90: f32, eta_52: f32) -> ve
     var cosTheta_38: f32;
     var alpha_91: f32;
     var eta_53: f32;
-    var local_97: i32;
+    var local_93: i32;
 
     cosTheta_38 = cosTheta_37;
     alpha_91 = alpha_90;
@@ -7346,25 +7232,25 @@ fn interfaceEnergyCoordinate(cosTheta_37: f32, alpha_90: f32, eta_52: f32) -> ve
     let _e54 = interfaceEtaAxis(_e53);
     let _e55 = eta_53;
     if (_e55 < 1f) {
-        local_97 = 1i;
+        local_93 = 1i;
     } else {
-        local_97 = 0i;
+        local_93 = 0i;
     }
-    let _e61 = local_97;
+    let _e61 = local_93;
     let _e63 = blockCoordinate(_e54, INTERFACE_SLICES, _e61, 2i);
     return vec3<f32>(_e45, _e52, _e63);
 }
 
-fn interfaceLobeCoordinate(tap_4: i32, taps_6: i32, cosTheta_39: f32, alpha_92: f32, eta_54: f32) -> vec3<f32> {
-    var tap_5: i32;
-    var taps_7: i32;
+fn interfaceLobeCoordinate(lobe_4: i32, lobes_6: i32, cosTheta_39: f32, alpha_92: f32, eta_54: f32) -> vec3<f32> {
+    var lobe_5: i32;
+    var lobes_7: i32;
     var cosTheta_40: f32;
     var alpha_93: f32;
     var eta_55: f32;
-    var local_98: i32;
+    var local_94: i32;
 
-    tap_5 = tap_4;
-    taps_7 = taps_6;
+    lobe_5 = lobe_4;
+    lobes_7 = lobes_6;
     cosTheta_40 = cosTheta_39;
     alpha_93 = alpha_92;
     eta_55 = eta_54;
@@ -7373,18 +7259,18 @@ fn interfaceLobeCoordinate(tap_4: i32, taps_6: i32, cosTheta_39: f32, alpha_92: 
     let _e46 = interfaceCosineAxis(_e44, _e45);
     let _e49 = blockCoordinate(_e46, INTERFACE_LOBE_COSINES, 0i, 1i);
     let _e50 = alpha_93;
-    let _e54 = tap_5;
-    let _e55 = taps_7;
+    let _e54 = lobe_5;
+    let _e55 = lobes_7;
     let _e56 = blockCoordinate(sqrt(max(_e50, 0f)), INTERFACE_LOBE_ALPHAS, _e54, _e55);
     let _e57 = eta_55;
     let _e58 = interfaceEtaAxis(_e57);
     let _e59 = eta_55;
     if (_e59 < 1f) {
-        local_98 = 1i;
+        local_94 = 1i;
     } else {
-        local_98 = 0i;
+        local_94 = 0i;
     }
-    let _e65 = local_98;
+    let _e65 = local_94;
     let _e67 = blockCoordinate(_e58, INTERFACE_SLICES, _e65, 2i);
     return vec3<f32>(_e49, _e56, _e67);
 }
@@ -7465,13 +7351,13 @@ fn interfaceEnergy(texel_5: vec4<f32>) -> InterfaceEnergy {
     return _e43;
 }
 
-fn interfaceTap(texel_7: vec4<f32>, cosTheta_45: f32, alpha_96: f32, eta_60: f32) -> InterfaceTap {
+fn interfaceLobe(texel_7: vec4<f32>, cosTheta_45: f32, alpha_96: f32, eta_60: f32) -> InterfaceLobe {
     var texel_8: vec4<f32>;
     var cosTheta_46: f32;
     var alpha_97: f32;
     var eta_61: f32;
     var width_4: f32;
-    var tap_6: InterfaceTap;
+    var lobe_6: InterfaceLobe;
 
     texel_8 = texel_7;
     cosTheta_46 = cosTheta_45;
@@ -7487,22 +7373,22 @@ fn interfaceTap(texel_7: vec4<f32>, cosTheta_45: f32, alpha_96: f32, eta_60: f32
     let _e54 = interfaceSnell(_e52, _e53);
     let _e55 = texel_8;
     let _e57 = width_4;
-    tap_6.angle = (_e54 + (_e55.x * _e57));
+    lobe_6.angle = (_e54 + (_e55.x * _e57));
     let _e61 = texel_8;
     let _e63 = width_4;
-    tap_6.sigma = (_e61.y * _e63);
+    lobe_6.sigma = (_e61.y * _e63);
     let _e66 = texel_8;
-    tap_6.weight = _e66.z;
-    let _e68 = tap_6;
+    lobe_6.weight = _e66.z;
+    let _e68 = lobe_6;
     return _e68;
 }
 
-fn interfaceTapDirection(wo_54: vec3<f32>, n_41: vec3<f32>, angle_2: f32) -> vec3<f32> {
+fn interfaceLobeDirection(wo_54: vec3<f32>, n_41: vec3<f32>, angle_2: f32) -> vec3<f32> {
     var wo_55: vec3<f32>;
     var n_42: vec3<f32>;
     var angle_3: f32;
     var across_12: vec3<f32>;
-    var local_99: vec3<f32>;
+    var local_95: vec3<f32>;
 
     wo_55 = wo_54;
     n_42 = n_41;
@@ -7518,11 +7404,11 @@ fn interfaceTapDirection(wo_54: vec3<f32>, n_41: vec3<f32>, angle_2: f32) -> vec
         let _e54 = n_42;
         let _e55 = n_42;
         if (abs(_e55.x) < 0.7f) {
-            local_99 = vec3<f32>(1f, 0f, 0f);
+            local_95 = vec3<f32>(1f, 0f, 0f);
         } else {
-            local_99 = vec3<f32>(0f, 1f, 0f);
+            local_95 = vec3<f32>(0f, 1f, 0f);
         }
-        let _e69 = local_99;
+        let _e69 = local_95;
         across_12 = cross(_e54, _e69);
     }
     let _e71 = angle_3;
@@ -7532,12 +7418,12 @@ fn interfaceTapDirection(wo_54: vec3<f32>, n_41: vec3<f32>, angle_2: f32) -> vec
     return ((sin(_e71) * normalize(_e73)) - (cos(_e76) * _e78));
 }
 
-fn pyramidVariance(level_1: f32) -> f32 {
-    var level_2: f32;
+fn pyramidVariance(level: f32) -> f32 {
+    var level_1: f32;
     var scale_5: f32;
 
-    level_2 = level_1;
-    let _e37 = level_2;
+    level_1 = level;
+    let _e37 = level_1;
     scale_5 = exp2((2f * _e37));
     let _e42 = scale_5;
     let _e46 = scale_5;
@@ -7585,18 +7471,18 @@ fn normalIntegral(x_26: f32) -> f32 {
     return (1f / (1f + exp((-1.702f * _e40))));
 }
 
-fn pyramidCoverage(at_24: vec2<f32>, size_22: vec2<f32>, sigma_8: f32) -> f32 {
+fn pyramidCoverage(at_24: vec2<f32>, size_22: vec2<f32>, sigma_6: f32) -> f32 {
     var at_25: vec2<f32>;
     var size_23: vec2<f32>;
-    var sigma_9: f32;
+    var sigma_7: f32;
     var inverse: f32;
     var x_28: f32;
     var y_10: f32;
 
     at_25 = at_24;
     size_23 = size_22;
-    sigma_9 = sigma_8;
-    let _e41 = sigma_9;
+    sigma_7 = sigma_6;
+    let _e41 = sigma_7;
     inverse = (1f / max(_e41, 0.25f));
     let _e46 = size_23;
     let _e48 = at_25;
@@ -7619,32 +7505,32 @@ fn pyramidCoverage(at_24: vec2<f32>, size_22: vec2<f32>, sigma_8: f32) -> f32 {
     return clamp((_e78 * _e79), 0f, 1f);
 }
 
-fn beamVariance(sigma_10: f32, carried_2: f32, inner_6: f32, inside_3: f32, outside: f32) -> f32 {
-    var sigma_11: f32;
-    var carried_3: f32;
-    var inner_7: f32;
+fn lobeVariance(sigma_8: f32, carried: f32, inner_4: f32, inside_3: f32, outside: f32) -> f32 {
+    var sigma_9: f32;
+    var carried_1: f32;
+    var inner_5: f32;
     var inside_4: f32;
     var outside_1: f32;
     var offset: f32;
     var angle_4: f32;
 
-    sigma_11 = sigma_10;
-    carried_3 = carried_2;
-    inner_7 = inner_6;
+    sigma_9 = sigma_8;
+    carried_1 = carried;
+    inner_5 = inner_4;
     inside_4 = inside_3;
     outside_1 = outside;
     let _e44 = inside_4;
-    let _e45 = inner_7;
+    let _e45 = inner_5;
     offset = (_e44 * _e45);
     let _e48 = outside_1;
-    let _e49 = sigma_11;
+    let _e49 = sigma_9;
     angle_4 = (_e48 * _e49);
     let _e52 = angle_4;
     let _e53 = angle_4;
     let _e56 = offset;
     let _e58 = outside_1;
-    let _e60 = carried_3;
-    let _e61 = sigma_11;
+    let _e60 = carried_1;
+    let _e61 = sigma_9;
     let _e65 = offset;
     let _e66 = offset;
     return (((_e52 * _e53) + (((2f * _e56) * _e58) * min(_e60, _e61))) + (_e65 * _e66));
@@ -7662,34 +7548,34 @@ fn pixelsPerRadian(focal: f32, cosine: f32) -> f32 {
     return (_e38 / (_e39 * sqrt(_e40)));
 }
 
-fn lobeRadiance(tap_7: ComposedTap, origin_16: vec3<f32>, inside_5: f32, met_4: SceneMeeting, view_31: SceneView) -> vec3<f32> {
-    var tap_8: ComposedTap;
+fn lobeRadiance(lobe_7: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_4: SceneIntersection, view_31: SceneView) -> vec3<f32> {
+    var lobe_8: ComposedLobe;
     var origin_17: vec3<f32>;
     var inside_6: f32;
-    var met_5: SceneMeeting;
+    var met_5: SceneIntersection;
     var view_32: SceneView;
     var ends: bool;
-    var local_100: vec3<f32>;
+    var local_96: vec3<f32>;
     var place: vec3<f32>;
-    var local_101: f32;
+    var local_97: f32;
     var clip_4: vec4<f32>;
     var share_4: f32 = 0f;
     var near_1: vec3<f32> = vec3(0f);
-    var local_102: vec3<f32>;
+    var local_98: vec3<f32>;
     var fromEye: vec3<f32>;
     var range_1: f32;
     var metres: f32;
-    var local_103: f32;
+    var local_99: f32;
     var pixels: f32;
     var at_26: vec2<f32>;
     var outside_2: vec2<f32>;
     var far_1: f32;
-    var local_104: f32;
+    var local_100: f32;
     var shown: vec4<f32>;
-    var local_105: vec3<f32>;
-    var local_106: vec3<f32>;
+    var local_101: vec3<f32>;
+    var local_102: vec3<f32>;
 
-    tap_8 = tap_7;
+    lobe_8 = lobe_7;
     origin_17 = origin_16;
     inside_6 = inside_5;
     met_5 = met_4;
@@ -7700,23 +7586,23 @@ fn lobeRadiance(tap_7: ComposedTap, origin_16: vec3<f32>, inside_5: f32, met_4: 
     if _e49 {
         let _e50 = origin_17;
         let _e51 = met_5;
-        let _e53 = tap_8;
-        local_100 = (_e50 + (_e51.metres * _e53.direction));
+        let _e53 = lobe_8;
+        local_96 = (_e50 + (_e51.metres * _e53.direction));
     } else {
-        let _e57 = tap_8;
-        local_100 = _e57.direction;
+        let _e57 = lobe_8;
+        local_96 = _e57.direction;
     }
-    let _e60 = local_100;
+    let _e60 = local_96;
     place = _e60;
     let _e62 = view_32;
     let _e64 = place;
     let _e65 = ends;
     if _e65 {
-        local_101 = 1f;
+        local_97 = 1f;
     } else {
-        local_101 = 0f;
+        local_97 = 0f;
     }
-    let _e69 = local_101;
+    let _e69 = local_97;
     clip_4 = (_e62.clipFromWorld * vec4<f32>(_e64.x, _e64.y, _e64.z, _e69));
     let _e81 = met_5;
     let _e83 = clip_4;
@@ -7726,32 +7612,32 @@ fn lobeRadiance(tap_7: ComposedTap, origin_16: vec3<f32>, inside_5: f32, met_4: 
             if _e88 {
                 let _e89 = place;
                 let _e90 = view_32;
-                local_102 = (_e89 - _e90.eye);
+                local_98 = (_e89 - _e90.eye);
             } else {
-                let _e93 = tap_8;
-                local_102 = _e93.direction;
+                let _e93 = lobe_8;
+                local_98 = _e93.direction;
             }
-            let _e96 = local_102;
+            let _e96 = local_98;
             fromEye = _e96;
             let _e98 = fromEye;
             range_1 = length(_e98);
-            let _e101 = tap_8;
-            let _e103 = tap_8;
-            let _e105 = tap_8;
+            let _e101 = lobe_8;
+            let _e103 = lobe_8;
+            let _e105 = lobe_8;
             let _e107 = inside_6;
             let _e108 = met_5;
-            let _e110 = beamVariance(_e101.sigma, _e103.carried, _e105.inner, _e107, _e108.metres);
+            let _e110 = lobeVariance(_e101.sigma, _e103.carried, _e105.inner, _e107, _e108.metres);
             metres = sqrt(_e110);
             let _e113 = ends;
             if _e113 {
                 let _e114 = metres;
                 let _e115 = range_1;
-                local_103 = (_e114 / _e115);
+                local_99 = (_e114 / _e115);
             } else {
-                let _e117 = tap_8;
-                local_103 = _e117.sigma;
+                let _e117 = lobe_8;
+                local_99 = _e117.sigma;
             }
-            let _e120 = local_103;
+            let _e120 = local_99;
             let _e121 = view_32;
             let _e123 = clip_4;
             let _e125 = range_1;
@@ -7773,15 +7659,15 @@ fn lobeRadiance(tap_7: ComposedTap, origin_16: vec3<f32>, inside_5: f32, met_4: 
                 let _e155 = far_1;
                 let _e157 = view_32;
                 let _e160 = view_32;
-                local_104 = exp(((-0.5f * _e155) / (_e157.size.y * _e160.size.y)));
+                local_100 = exp(((-0.5f * _e155) / (_e157.size.y * _e160.size.y)));
             } else {
                 let _e166 = at_26;
                 let _e167 = view_32;
                 let _e169 = pixels;
                 let _e170 = pyramidCoverage(_e166, _e167.size, _e169);
-                local_104 = _e170;
+                local_100 = _e170;
             }
-            let _e172 = local_104;
+            let _e172 = local_100;
             share_4 = _e172;
             let _e173 = share_4;
             if (_e173 > 0f) {
@@ -7801,11 +7687,11 @@ fn lobeRadiance(tap_7: ComposedTap, origin_16: vec3<f32>, inside_5: f32, met_4: 
                         let _e198 = shown;
                         let _e200 = shown;
                         let _e203 = shown;
-                        local_105 = (vec3<f32>(_e196.x, _e198.y, _e200.z) / vec3(_e203.w));
+                        local_101 = (vec3<f32>(_e196.x, _e198.y, _e200.z) / vec3(_e203.w));
                     } else {
-                        local_105 = vec3(0f);
+                        local_101 = vec3(0f);
                     }
-                    let _e210 = local_105;
+                    let _e210 = local_101;
                     near_1 = _e210;
                 }
             }
@@ -7814,16 +7700,16 @@ fn lobeRadiance(tap_7: ComposedTap, origin_16: vec3<f32>, inside_5: f32, met_4: 
     let _e211 = share_4;
     if (_e211 >= 0.999f) {
         let _e214 = near_1;
-        local_106 = _e214;
+        local_102 = _e214;
     } else {
-        let _e215 = tap_8;
-        let _e217 = tap_8;
+        let _e215 = lobe_8;
+        let _e217 = lobe_8;
         let _e219 = engineEnvironment(_e215.direction, _e217.sigma);
         let _e220 = near_1;
         let _e221 = share_4;
-        local_106 = mix(_e219, _e220, vec3(_e221));
+        local_102 = mix(_e219, _e220, vec3(_e221));
     }
-    let _e225 = local_106;
+    let _e225 = local_102;
     return _e225;
 }
 
@@ -7851,8 +7737,8 @@ fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
     var cosTheta_49: f32;
     var energy_3: f32;
     var texel_9: vec4<f32>;
-    var tap_9: ComposedTap;
-    var met_6: SceneMeeting;
+    var lobe_9: ComposedLobe;
+    var met_6: SceneIntersection;
 
     face_11 = face_10;
     ior_1 = ior;
@@ -7880,24 +7766,24 @@ fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
     let _e74 = face_11;
     let _e76 = texel_9;
     let _e78 = lobeDirection((((2f * _e66) * _e68.n) - _e71.wo), _e74.n, _e76.x);
-    tap_9.direction = _e78;
+    lobe_9.direction = _e78;
     let _e80 = texel_9;
     let _e82 = texel_9;
     let _e85 = face_11;
     let _e88 = face_11;
     let _e92 = face_11;
-    tap_9.sigma = sqrt(((((_e80.y * _e82.y) * _e85.alpha) * _e88.alpha) + (4f * _e92.turn)));
+    lobe_9.sigma = sqrt(((((_e80.y * _e82.y) * _e85.alpha) * _e88.alpha) + (4f * _e92.turn)));
     let _e98 = energy_3;
-    tap_9.weight = _e98;
-    tap_9.inner = 0f;
-    tap_9.carried = 0f;
+    lobe_9.weight = _e98;
+    lobe_9.inner = 0f;
+    lobe_9.carried = 0f;
     let _e103 = face_11;
-    let _e105 = tap_9;
+    let _e105 = lobe_9;
     let _e107 = view_34;
-    let _e108 = sceneMeeting(_e103.position, _e105.direction, _e107);
+    let _e108 = sceneIntersection(_e103.position, _e105.direction, _e107);
     met_6 = _e108;
     let _e110 = energy_3;
-    let _e111 = tap_9;
+    let _e111 = lobe_9;
     let _e112 = face_11;
     let _e115 = met_6;
     let _e116 = view_34;
@@ -7905,8 +7791,8 @@ fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
     return (_e110 * _e117);
 }
 
-fn wanderingLossGgx() -> WanderingLoss {
-    var k_26: WanderingLoss;
+fn internalScatteringLossGgx() -> InternalScatteringLoss {
+    var k_26: InternalScatteringLoss;
 
     k_26.linear = 0.635f;
     k_26.constant = 0.254f;
@@ -7916,8 +7802,8 @@ fn wanderingLossGgx() -> WanderingLoss {
     return _e43;
 }
 
-fn wanderingLossBeckmann() -> WanderingLoss {
-    var k_27: WanderingLoss;
+fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
+    var k_27: InternalScatteringLoss;
 
     k_27.linear = 0.201f;
     k_27.constant = 1.555f;
@@ -7927,11 +7813,11 @@ fn wanderingLossBeckmann() -> WanderingLoss {
     return _e43;
 }
 
-fn wanderingPasses(ior_2: f32) -> f32 {
+fn internalScatteringPasses(ior_2: f32) -> f32 {
     var ior_3: f32;
     var eta_64: f32;
     var passes: f32;
-    var local_107: f32;
+    var local_103: f32;
 
     ior_3 = ior_2;
     let _e36 = ior_3;
@@ -7947,29 +7833,29 @@ fn wanderingPasses(ior_2: f32) -> f32 {
         let _e57 = passes;
         let _e58 = ior_3;
         let _e59 = ior_3;
-        local_107 = (_e57 / (_e58 * _e59));
+        local_103 = (_e57 / (_e58 * _e59));
     } else {
         let _e62 = passes;
-        local_107 = _e62;
+        local_103 = _e62;
     }
-    let _e64 = local_107;
+    let _e64 = local_103;
     return _e64;
 }
 
-fn wanderingAt(alpha_100: f32, ior_4: f32, k_28: WanderingLoss) -> Wandering {
+fn internalScatteringAt(alpha_100: f32, ior_4: f32, k_28: InternalScatteringLoss) -> InternalScattering {
     var alpha_101: f32;
     var ior_5: f32;
-    var k_29: WanderingLoss;
+    var k_29: InternalScatteringLoss;
     var smoothly: f32;
     var alpha2_1: f32;
     var lost_2: f32;
-    var w_33: Wandering;
+    var w_33: InternalScattering;
 
     alpha_101 = alpha_100;
     ior_5 = ior_4;
     k_29 = k_28;
     let _e40 = ior_5;
-    let _e41 = wanderingPasses(_e40);
+    let _e41 = internalScatteringPasses(_e40);
     smoothly = _e41;
     let _e43 = alpha_101;
     let _e44 = alpha_101;
@@ -7994,10 +7880,10 @@ fn wanderingAt(alpha_100: f32, ior_4: f32, k_28: WanderingLoss) -> Wandering {
     return _e93;
 }
 
-fn wanderingConcave(w_34: Wandering, again: f32) -> Wandering {
-    var w_35: Wandering;
+fn internalScatteringConcave(w_34: InternalScattering, again: f32) -> InternalScattering {
+    var w_35: InternalScattering;
     var again_1: f32;
-    var concave: Wandering;
+    var concave: InternalScattering;
 
     w_35 = w_34;
     again_1 = again;
@@ -8012,8 +7898,8 @@ fn wanderingConcave(w_34: Wandering, again: f32) -> Wandering {
     return _e54;
 }
 
-fn wanderingEscapes(w_36: Wandering, way_7: vec3<f32>) -> vec3<f32> {
-    var w_37: Wandering;
+fn internalScatteringEscapes(w_36: InternalScattering, way_7: vec3<f32>) -> vec3<f32> {
+    var w_37: InternalScattering;
     var way_8: vec3<f32>;
 
     w_37 = w_36;
@@ -8026,17 +7912,17 @@ fn wanderingEscapes(w_36: Wandering, way_7: vec3<f32>) -> vec3<f32> {
     return ((_e38.passes * _e40) / max((vec3(1f) - (_e44.back * _e46)), vec3(_e49.passes)));
 }
 
-fn engineFaceTap(tap_10: i32, cosTheta_50: f32, alpha_102: f32, eta_65: f32) -> InterfaceTap {
-    var tap_11: i32;
+fn engineFaceLobe(lobe_10: i32, cosTheta_50: f32, alpha_102: f32, eta_65: f32) -> InterfaceLobe {
+    var lobe_11: i32;
     var cosTheta_51: f32;
     var alpha_103: f32;
     var eta_66: f32;
 
-    tap_11 = tap_10;
+    lobe_11 = lobe_10;
     cosTheta_51 = cosTheta_50;
     alpha_103 = alpha_102;
     eta_66 = eta_65;
-    let _e42 = tap_11;
+    let _e42 = lobe_11;
     let _e44 = cosTheta_51;
     let _e45 = alpha_103;
     let _e46 = eta_66;
@@ -8045,164 +7931,164 @@ fn engineFaceTap(tap_10: i32, cosTheta_50: f32, alpha_102: f32, eta_65: f32) -> 
     let _e49 = cosTheta_51;
     let _e50 = alpha_103;
     let _e51 = eta_66;
-    let _e52 = interfaceTap(_e48, _e49, _e50, _e51);
+    let _e52 = interfaceLobe(_e48, _e49, _e50, _e51);
     return _e52;
 }
 
-fn engineEnteringTap(tap_12: i32, face_12: GlassFace, ior_6: f32, energy_4: f32) -> InnerTap {
-    var tap_13: i32;
+fn engineEnteringLobe(lobe_12: i32, face_12: GlassFace, ior_6: f32, energy_4: f32) -> InnerLobe {
+    var lobe_13: i32;
     var face_13: GlassFace;
     var ior_7: f32;
     var energy_5: f32;
-    var read_: InterfaceTap;
-    var inner_8: InnerTap;
+    var read_: InterfaceLobe;
+    var inner_6: InnerLobe;
     var matched: bool;
-    var local_108: vec3<f32>;
-    var local_109: f32;
-    var local_110: f32;
+    var local_104: vec3<f32>;
+    var local_105: f32;
+    var local_106: f32;
 
-    tap_13 = tap_12;
+    lobe_13 = lobe_12;
     face_13 = face_12;
     ior_7 = ior_6;
     energy_5 = energy_4;
-    let _e42 = tap_13;
+    let _e42 = lobe_13;
     let _e43 = face_13;
     let _e45 = face_13;
     let _e48 = face_13;
     let _e50 = ior_7;
-    let _e51 = engineFaceTap(_e42, dot(_e43.wo, _e45.n), _e48.alpha, _e50);
+    let _e51 = engineFaceLobe(_e42, dot(_e43.wo, _e45.n), _e48.alpha, _e50);
     read_ = _e51;
     let _e54 = ior_7;
     matched = (abs((_e54 - 1f)) < INDEX_MATCHED);
     let _e61 = matched;
     if _e61 {
         let _e62 = face_13;
-        local_108 = -(_e62.wo);
+        local_104 = -(_e62.wo);
     } else {
         let _e65 = face_13;
         let _e67 = face_13;
         let _e69 = read_;
-        let _e71 = interfaceTapDirection(_e65.wo, _e67.n, _e69.angle);
-        local_108 = _e71;
+        let _e71 = interfaceLobeDirection(_e65.wo, _e67.n, _e69.angle);
+        local_104 = _e71;
     }
-    let _e73 = local_108;
-    inner_8.direction = _e73;
+    let _e73 = local_104;
+    inner_6.direction = _e73;
     let _e75 = matched;
     if _e75 {
-        local_109 = 0f;
+        local_105 = 0f;
     } else {
         let _e77 = read_;
-        local_109 = _e77.sigma;
+        local_105 = _e77.sigma;
     }
-    let _e80 = local_109;
-    inner_8.sigma = _e80;
+    let _e80 = local_105;
+    inner_6.sigma = _e80;
     let _e82 = read_;
     let _e84 = matched;
     if _e84 {
-        local_110 = 1f;
+        local_106 = 1f;
     } else {
         let _e86 = energy_5;
-        local_110 = _e86;
+        local_106 = _e86;
     }
-    let _e88 = local_110;
-    inner_8.weight = (_e82.weight * _e88);
-    let _e90 = inner_8;
+    let _e88 = local_106;
+    inner_6.weight = (_e82.weight * _e88);
+    let _e90 = inner_6;
     return _e90;
 }
 
-fn engineLeavingPair(inner_9: InnerTap, core_6: bool, s_15: ExitSurface, k_30: Widening) -> ComposedPair {
-    var inner_10: InnerTap;
+fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_14: ExitSurface, k_30: Widening) -> ComposedPair {
+    var inner_8: InnerLobe;
     var core_7: bool;
-    var s_16: ExitSurface;
+    var s_15: ExitSurface;
     var k_31: Widening;
     var view_35: ExitView;
     var cosTheta_52: f32;
-    var local_111: f32;
+    var local_107: f32;
     var energy_6: f32;
-    var first_8: InterfaceTap;
-    var second_1: InterfaceTap;
+    var first_8: InterfaceLobe;
+    var second_1: InterfaceLobe;
 
-    inner_10 = inner_9;
+    inner_8 = inner_7;
     core_7 = core_6;
-    s_16 = s_15;
+    s_15 = s_14;
     k_31 = k_30;
-    let _e42 = inner_10;
+    let _e42 = inner_8;
     let _e43 = core_7;
-    let _e44 = s_16;
+    let _e44 = s_15;
     let _e45 = k_31;
     let _e46 = seeExit(_e42, _e43, _e44, _e45);
     view_35 = _e46;
     let _e48 = view_35;
     cosTheta_52 = max(_e48.cosTheta, 0f);
-    let _e53 = s_16;
+    let _e53 = s_15;
     if (abs((_e53.eta - 1f)) < INDEX_MATCHED) {
-        local_111 = 1f;
+        local_107 = 1f;
     } else {
         let _e60 = cosTheta_52;
         let _e61 = view_35;
-        let _e63 = s_16;
+        let _e63 = s_15;
         let _e65 = engineFaceEnergy(_e60, _e61.alphaEnergy, _e63.eta);
-        local_111 = _e65.transmitted;
+        local_107 = _e65.transmitted;
     }
-    let _e68 = local_111;
+    let _e68 = local_107;
     energy_6 = _e68;
     let _e71 = cosTheta_52;
     let _e72 = view_35;
-    let _e74 = s_16;
-    let _e76 = engineFaceTap(0i, _e71, _e72.alphaShape, _e74.eta);
+    let _e74 = s_15;
+    let _e76 = engineFaceLobe(0i, _e71, _e72.alphaShape, _e74.eta);
     first_8 = _e76;
     let _e79 = cosTheta_52;
     let _e80 = view_35;
-    let _e82 = s_16;
-    let _e84 = engineFaceTap(1i, _e79, _e80.alphaShape, _e82.eta);
+    let _e82 = s_15;
+    let _e84 = engineFaceLobe(1i, _e79, _e80.alphaShape, _e82.eta);
     second_1 = _e84;
-    let _e86 = inner_10;
+    let _e86 = inner_8;
     let _e87 = view_35;
-    let _e88 = s_16;
+    let _e88 = s_15;
     let _e89 = first_8;
     let _e91 = first_8;
     let _e93 = first_8;
     let _e95 = energy_6;
-    let _e96 = composeTap(_e86, _e87, _e88, _e89.angle, _e91.sigma, _e93.weight, _e95);
-    let _e97 = inner_10;
+    let _e96 = composeLobe(_e86, _e87, _e88, _e89.angle, _e91.sigma, _e93.weight, _e95);
+    let _e97 = inner_8;
     let _e98 = view_35;
-    let _e99 = s_16;
+    let _e99 = s_15;
     let _e100 = second_1;
     let _e102 = second_1;
     let _e104 = second_1;
     let _e106 = energy_6;
-    let _e107 = composeTap(_e97, _e98, _e99, _e100.angle, _e102.sigma, _e104.weight, _e106);
+    let _e107 = composeLobe(_e97, _e98, _e99, _e100.angle, _e102.sigma, _e104.weight, _e106);
     let _e108 = view_35;
     let _e109 = composedPair(_e96, _e107, _e108);
     return _e109;
 }
 
-fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_11: InnerTap, entered: f32, e_8: ConvexExit, passed: f32) -> vec3<f32> {
+fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLobe, entered: f32, e_8: ConvexExit, passed: f32) -> vec3<f32> {
     var face_15: GlassFace;
     var body_3: ConvexBody;
-    var inner_12: InnerTap;
+    var inner_10: InnerLobe;
     var entered_1: f32;
     var e_9: ConvexExit;
     var passed_1: f32;
     var cosTheta_53: f32;
     var own_2: InterfaceEnergy;
-    var w_38: Wandering;
+    var w_38: InternalScattering;
     var reflected: vec3<f32>;
     var q_2: f32;
     var near_2: vec3<f32>;
     var outward_3: vec3<f32>;
     var spread_5: f32;
     var way_9: vec3<f32>;
-    var local_112: vec3<f32>;
-    var direction_20: vec3<f32>;
+    var local_108: vec3<f32>;
+    var direction_16: vec3<f32>;
 
     face_15 = face_14;
     body_3 = body_2;
-    inner_12 = inner_11;
+    inner_10 = inner_9;
     entered_1 = entered;
     e_9 = e_8;
     passed_1 = passed;
-    let _e46 = inner_12;
+    let _e46 = inner_10;
     let _e48 = e_9;
     cosTheta_53 = max(dot(_e46.direction, _e48.surface.n), 0f);
     let _e55 = cosTheta_53;
@@ -8216,7 +8102,7 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_11: InnerTa
     let _e69 = own_2;
     let _e72 = passed_1;
     w_38.back = clamp(((_e67.transmitted + _e69.reflected) - _e72), 0f, 0.99f);
-    let _e77 = inner_12;
+    let _e77 = inner_10;
     let _e80 = cosTheta_53;
     let _e82 = e_9;
     reflected = (_e77.direction - ((2f * _e80) * _e82.surface.n));
@@ -8234,8 +8120,8 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_11: InnerTa
     let _e119 = e_9;
     let _e122 = refractAbout(-(_e115), -(_e117), _e119.surface.eta);
     outward_3 = _e122;
-    let _e124 = inner_12;
-    let _e126 = inner_12;
+    let _e124 = inner_10;
+    let _e126 = inner_10;
     let _e130 = body_3;
     let _e133 = body_3;
     let _e138 = body_3;
@@ -8247,20 +8133,20 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_11: InnerTa
     let _e151 = outward_3;
     if (dot(_e150, _e151) > 0f) {
         let _e155 = outward_3;
-        local_112 = _e155;
+        local_108 = _e155;
     } else {
         let _e156 = near_2;
-        local_112 = _e156;
+        local_108 = _e156;
     }
-    let _e158 = local_112;
-    direction_20 = _e158;
+    let _e158 = local_108;
+    direction_16 = _e158;
     let _e160 = entered_1;
     let _e161 = w_38;
     let _e164 = way_9;
     let _e166 = w_38;
     let _e167 = way_9;
-    let _e168 = wanderingEscapes(_e166, _e167);
-    let _e170 = direction_20;
+    let _e168 = internalScatteringEscapes(_e166, _e167);
+    let _e170 = direction_16;
     let _e171 = spread_5;
     let _e174 = engineEnvironment(_e170, min(_e171, 0.606f));
     return ((((_e160 * _e161.back) * _e164) * _e168) * _e174);
@@ -8282,12 +8168,12 @@ fn enterGlass(face_16: GlassFace, ior_8: f32) -> Entering {
     let _e52 = face_17;
     let _e53 = ior_9;
     let _e54 = e_10;
-    let _e56 = engineEnteringTap(0i, _e52, _e53, _e54.energy);
+    let _e56 = engineEnteringLobe(0i, _e52, _e53, _e54.energy);
     e_10.core = _e56;
     let _e59 = face_17;
     let _e60 = ior_9;
     let _e61 = e_10;
-    let _e63 = engineEnteringTap(1i, _e59, _e60, _e61.energy);
+    let _e63 = engineEnteringLobe(1i, _e59, _e60, _e61.energy);
     e_10.tail = _e63;
     let _e64 = e_10;
     return _e64;
@@ -8305,9 +8191,9 @@ fn refractThrough(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, origin
     var first_9: ComposedPair;
     var pair_3: ComposedPair;
     var bent: f32;
-    var met_7: SceneMeeting;
+    var met_7: SceneIntersection;
     var sum_13: vec3<f32>;
-    var local_113: f32;
+    var local_109: f32;
     var passed_2: f32;
 
     face_19 = face_18;
@@ -8341,7 +8227,7 @@ fn refractThrough(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, origin
     let _e94 = origin_19;
     let _e95 = pair_3;
     let _e98 = view_37;
-    let _e99 = sceneMeeting(_e94, _e95.core.direction, _e98);
+    let _e99 = sceneIntersection(_e94, _e95.core.direction, _e98);
     met_7 = _e99;
     let _e101 = pair_3;
     let _e104 = pair_3;
@@ -8368,11 +8254,11 @@ fn refractThrough(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, origin
         let _e138 = first_9;
         let _e141 = first_9;
         let _e145 = e_12;
-        local_113 = ((_e138.core.weight + _e141.rest.weight) / _e145.core.weight);
+        local_109 = ((_e138.core.weight + _e141.rest.weight) / _e145.core.weight);
     } else {
-        local_113 = 0f;
+        local_109 = 0f;
     }
-    let _e151 = local_113;
+    let _e151 = local_109;
     passed_2 = _e151;
     let _e153 = sum_13;
     let _e154 = coreExit_1;
@@ -8428,9 +8314,9 @@ fn refractConvex(face_20: GlassFace, body_6: ConvexBody, view_38: SceneView, k_3
     return _e79;
 }
 
-fn wayOut(face_22: GlassFace, tap_14: InnerTap, eta_67: f32, number_8: f32, view_40: SceneView) -> WayOut {
+fn wayOut(face_22: GlassFace, lobe_14: InnerLobe, eta_67: f32, number_8: f32, view_40: SceneView) -> WayOut {
     var face_23: GlassFace;
-    var tap_15: InnerTap;
+    var lobe_15: InnerLobe;
     var eta_68: f32;
     var number_9: f32;
     var view_41: SceneView;
@@ -8442,28 +8328,28 @@ fn wayOut(face_22: GlassFace, tap_14: InnerTap, eta_67: f32, number_8: f32, view
     var alpha_104: f32;
 
     face_23 = face_22;
-    tap_15 = tap_14;
+    lobe_15 = lobe_14;
     eta_68 = eta_67;
     number_9 = number_8;
     view_41 = view_40;
     let _e44 = face_23;
-    let _e46 = tap_15;
+    let _e46 = lobe_15;
     let _e49 = eta_68;
     let _e50 = number_9;
     let _e51 = view_41;
     let _e52 = backFaceExit(_e44.position, _e46.direction, 0f, _e49, _e50, _e51);
     seen_2 = _e52;
-    let _e56 = tap_15;
-    way_10.tap = _e56;
+    let _e56 = lobe_15;
+    way_10.lobe = _e56;
     let _e58 = seen_2;
     way_10.exit = _e58.exit;
     let _e61 = face_23;
     let _e63 = seen_2;
-    let _e66 = tap_15;
+    let _e66 = lobe_15;
     way_10.point = (_e61.position + (_e63.exit.path * _e66.direction));
     let _e71 = seen_2;
     way_10.found = _e71.found;
-    let _e73 = tap_15;
+    let _e73 = lobe_15;
     let _e75 = seen_2;
     cosTheta_54 = dot(_e73.direction, _e75.exit.surface.n);
     let _e81 = seen_2;
@@ -8475,7 +8361,7 @@ fn wayOut(face_22: GlassFace, tap_14: InnerTap, eta_67: f32, number_8: f32, view
         let _e96 = way_10;
         return _e96;
     }
-    let _e97 = tap_15;
+    let _e97 = lobe_15;
     let _e100 = cosTheta_54;
     let _e102 = seen_2;
     onward = (_e97.direction - ((2f * _e100) * _e102.exit.surface.n));
@@ -8495,18 +8381,18 @@ fn wayOut(face_22: GlassFace, tap_14: InnerTap, eta_67: f32, number_8: f32, view
     let _e126 = seen_2;
     alpha_104 = _e126.exit.surface.alpha;
     let _e133 = onward;
-    way_10.tap.direction = _e133;
-    let _e136 = tap_15;
-    let _e138 = tap_15;
+    way_10.lobe.direction = _e133;
+    let _e136 = lobe_15;
+    let _e138 = lobe_15;
     let _e142 = alpha_104;
     let _e144 = alpha_104;
-    way_10.tap.sigma = sqrt(((_e136.sigma * _e138.sigma) + ((4f * _e142) * _e144)));
-    let _e150 = tap_15;
+    way_10.lobe.sigma = sqrt(((_e136.sigma * _e138.sigma) + ((4f * _e142) * _e144)));
+    let _e150 = lobe_15;
     let _e152 = cosTheta_54;
     let _e153 = alpha_104;
     let _e154 = eta_68;
     let _e155 = engineFaceEnergy(_e152, _e153, _e154);
-    way_10.tap.weight = (_e150.weight * _e155.reflected);
+    way_10.lobe.weight = (_e150.weight * _e155.reflected);
     let _e159 = next_1;
     way_10.exit = _e159.exit;
     let _e163 = seen_2;
@@ -8563,11 +8449,11 @@ fn refractFrontBack(face_24: GlassFace, body_8: ConvexBody, number_10: f32, view
     let _e77 = wayOut(_e68, _e69.tail, (1f / _e72.ior), _e75, _e76);
     tail_5 = _e77;
     let _e80 = core_9;
-    entered_2.core = _e80.tap;
+    entered_2.core = _e80.lobe;
     let _e82 = tail_5;
     if _e82.found {
         let _e85 = tail_5;
-        entered_2.tail = _e85.tap;
+        entered_2.tail = _e85.lobe;
     }
     let _e87 = tail_5;
     if !(_e87.found) {
@@ -8586,23 +8472,137 @@ fn refractFrontBack(face_24: GlassFace, body_8: ConvexBody, number_10: f32, view
     return _e104;
 }
 
-fn thinWallCoordinate(tap_16: i32, taps_8: i32, cosTheta_55: f32, alpha_105: f32, eta_69: f32) -> vec3<f32> {
-    var tap_17: i32;
-    var taps_9: i32;
+fn lobeSide(direction_17: vec3<f32>) -> vec3<f32> {
+    var direction_18: vec3<f32>;
+    var level_2: vec3<f32>;
+    var s_16: f32;
+    var local_110: vec3<f32>;
+
+    direction_18 = direction_17;
+    let _e36 = direction_18;
+    let _e39 = direction_18;
+    level_2 = vec3<f32>(_e36.z, 0f, -(_e39.x));
+    let _e44 = level_2;
+    let _e45 = level_2;
+    s_16 = dot(_e44, _e45);
+    let _e48 = s_16;
+    if (_e48 > 0f) {
+        let _e51 = level_2;
+        let _e52 = s_16;
+        local_110 = (_e51 * inverseSqrt(_e52));
+    } else {
+        local_110 = vec3<f32>(1f, 0f, 0f);
+    }
+    let _e60 = local_110;
+    return _e60;
+}
+
+fn lobeStratum(direction_19: vec3<f32>, sigma_10: f32, inner_11: f32, carried_2: f32, part_2: vec3<f32>) -> LobeStratum {
+    var direction_20: vec3<f32>;
+    var sigma_11: f32;
+    var inner_12: f32;
+    var carried_3: f32;
+    var part_3: vec3<f32>;
+    var side_3: vec3<f32>;
+    var off_2: vec3<f32>;
+    var turn_2: f32;
+    var p_17: LobeStratum;
+    var local_111: f32;
+    var local_112: f32;
+    var together: f32;
+    var rest_5: f32;
+    var local_113: f32;
+
+    direction_20 = direction_19;
+    sigma_11 = sigma_10;
+    inner_12 = inner_11;
+    carried_3 = carried_2;
+    part_3 = part_2;
+    let _e44 = direction_20;
+    let _e45 = lobeSide(_e44);
+    side_3 = _e45;
+    let _e47 = part_3;
+    let _e49 = side_3;
+    let _e51 = part_3;
+    let _e53 = direction_20;
+    let _e54 = side_3;
+    off_2 = ((_e47.x * _e49) + (_e51.y * cross(_e53, _e54)));
+    let _e59 = sigma_11;
+    let _e60 = off_2;
+    turn_2 = (_e59 * length(_e60));
+    let _e66 = turn_2;
+    let _e68 = direction_20;
+    let _e70 = turn_2;
+    if (_e70 > 0f) {
+        let _e73 = turn_2;
+        let _e75 = turn_2;
+        local_111 = (sin(_e73) / _e75);
+    } else {
+        local_111 = 1f;
+    }
+    let _e79 = local_111;
+    let _e80 = sigma_11;
+    let _e82 = off_2;
+    p_17.direction = ((cos(_e66) * _e68) + ((_e79 * _e80) * _e82));
+    let _e86 = part_3;
+    let _e88 = sigma_11;
+    p_17.sigma = (_e86.z * _e88);
+    let _e90 = sigma_11;
+    if (_e90 > 0f) {
+        let _e93 = carried_3;
+        let _e94 = sigma_11;
+        local_112 = clamp((_e93 / _e94), -1f, 1f);
+    } else {
+        local_112 = 0f;
+    }
+    let _e102 = local_112;
+    together = _e102;
+    let _e105 = together;
+    let _e106 = inner_12;
+    let _e108 = off_2;
+    p_17.aside = ((_e105 * _e106) * _e108);
+    let _e111 = together;
+    let _e112 = together;
+    let _e115 = part_3;
+    let _e117 = part_3;
+    rest_5 = sqrt(max((1f - ((_e111 * _e112) * (1f - (_e115.z * _e117.z)))), 0f));
+    let _e128 = rest_5;
+    let _e129 = inner_12;
+    p_17.inner = (_e128 * _e129);
+    let _e132 = rest_5;
+    if (_e132 > 0f) {
+        let _e135 = together;
+        let _e136 = sigma_11;
+        let _e138 = part_3;
+        let _e141 = part_3;
+        let _e144 = rest_5;
+        local_113 = ((((_e135 * _e136) * _e138.z) * _e141.z) / _e144);
+    } else {
+        local_113 = 0f;
+    }
+    let _e148 = local_113;
+    p_17.carried = _e148;
+    let _e149 = p_17;
+    return _e149;
+}
+
+fn thinWallCoordinate(lobe_16: i32, lobes_8: i32, cosTheta_55: f32, alpha_105: f32, eta_69: f32) -> vec3<f32> {
+    var lobe_17: i32;
+    var lobes_9: i32;
     var cosTheta_56: f32;
     var alpha_106: f32;
     var eta_70: f32;
 
-    tap_17 = tap_16;
-    taps_9 = taps_8;
+    lobe_17 = lobe_16;
+    lobes_9 = lobes_8;
     cosTheta_56 = cosTheta_55;
     alpha_106 = alpha_105;
     eta_70 = eta_69;
     let _e47 = cosTheta_56;
     let _e51 = tableCoordinate(sqrt(max(_e47, 0f)), THIN_WALL_COSINES);
     let _e52 = alpha_106;
-    let _e56 = tap_17;
-    let _e57 = taps_9;
+    let _e56 = lobe_17;
+    let _e57 = lobes_9;
     let _e58 = blockCoordinate(sqrt(max(_e52, 0f)), THIN_WALL_ALPHAS, _e56, _e57);
     let _e59 = eta_70;
     let _e60 = interfaceEtaAxis(_e59);
@@ -8691,14 +8691,14 @@ fn thinWallLaterSpread(eta_73: f32) -> f32 {
     return sqrt(((_e51 * _e52) + ((0.5f * (_e55 - 1f)) * (_e59 - 1f))));
 }
 
-fn thinWallTap(texel_12: vec4<f32>, cosTheta_59: f32, alpha_109: f32, eta_75: f32) -> InterfaceTap {
+fn thinWallLobe(texel_12: vec4<f32>, cosTheta_59: f32, alpha_109: f32, eta_75: f32) -> InterfaceLobe {
     var texel_13: vec4<f32>;
     var cosTheta_60: f32;
     var alpha_110: f32;
     var eta_76: f32;
     var c_30: f32;
     var width_6: f32;
-    var tap_18: InterfaceTap;
+    var lobe_18: InterfaceLobe;
 
     texel_13 = texel_12;
     cosTheta_60 = cosTheta_59;
@@ -8716,12 +8716,12 @@ fn thinWallTap(texel_12: vec4<f32>, cosTheta_59: f32, alpha_109: f32, eta_75: f3
     let _e68 = c_30;
     let _e70 = texel_13;
     let _e72 = width_6;
-    tap_18.angle = (atan2(sqrt(((1f - _e61) * (1f + _e64))), _e68) + (_e70.x * _e72));
+    lobe_18.angle = (atan2(sqrt(((1f - _e61) * (1f + _e64))), _e68) + (_e70.x * _e72));
     let _e76 = texel_13;
     let _e78 = width_6;
-    tap_18.sigma = (_e76.y * _e78);
+    lobe_18.sigma = (_e76.y * _e78);
     let _e81 = texel_13;
-    tap_18.weight = _e81.z;
-    let _e83 = tap_18;
+    lobe_18.weight = _e81.z;
+    let _e83 = lobe_18;
     return _e83;
 }

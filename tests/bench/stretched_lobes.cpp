@@ -49,23 +49,23 @@ std::vector<tables::LobeSample> brute_force(const glm::dvec3& wo, const glm::dve
 }
 
 void add_lobe(std::vector<Lookup>& lookups, const glm::dvec3& wo, const glm::dvec3& n, double alpha,
-              int taps, double weight) {
+              int lobes, double weight) {
   const double c = std::clamp(glm::dot(wo, n), 0.0, 1.0);
-  for (int t = 0; t < taps; ++t) {
-    const auto texel = tables::reflection_texel_at(model, t, taps, c, alpha, 0.0);
+  for (int t = 0; t < lobes; ++t) {
+    const auto texel = tables::reflection_texel_at(model, t, lobes, c, alpha, 0.0);
     lookups.push_back({f64::lobeDirection(f64::reflectAbout(wo, n), n, texel[0]), texel[1] * alpha,
                        texel[2] * weight});
   }
 }
 
-std::vector<Lookup> parts(const glm::dvec3& wo, const glm::dvec2& alpha, int count, int taps,
+std::vector<Lookup> parts(const glm::dvec3& wo, const glm::dvec2& alpha, int count, int lobes,
                           double shift = 0.0, double sharpness = 1.0) {
   std::vector<Lookup> lookups;
   double sum = 0.0;
   for (int k = 0; k < count; ++k) {
     const f64::StretchedPart p = f64::stretchedPart(wo, alpha, k, count, shift, sharpness);
     if (!(p.weight > 0.0)) continue;
-    add_lobe(lookups, wo, p.n, p.alpha, taps, p.weight);
+    add_lobe(lookups, wo, p.n, p.alpha, lobes, p.weight);
     sum += p.weight;
   }
   for (Lookup& l : lookups)
@@ -73,12 +73,12 @@ std::vector<Lookup> parts(const glm::dvec3& wo, const glm::dvec2& alpha, int cou
   return lookups;
 }
 
-std::vector<Lookup> in_samples(const glm::dvec3& wo, const glm::dvec2& alpha, int count, int taps,
+std::vector<Lookup> in_samples(const glm::dvec3& wo, const glm::dvec2& alpha, int count, int lobes,
                                int samples) {
   std::vector<Lookup> all;
   for (int i = 0; i < samples; ++i)
     for (Lookup l :
-         parts(wo, alpha, count, taps, (i + 0.5) / samples - 0.5, 1.0 / std::sqrt(samples))) {
+         parts(wo, alpha, count, lobes, (i + 0.5) / samples - 0.5, 1.0 / std::sqrt(samples))) {
       l.weight /= samples;
       all.push_back(l);
     }

@@ -10,20 +10,20 @@
 namespace gg::composition_test {
 namespace {
 
-using f64::ComposedTap;
+using f64::ComposedLobe;
 using f64::ExitSurface;
 using f64::ExitView;
-using f64::InnerTap;
+using f64::InnerLobe;
 using f64::Widening;
 using glm::dvec3;
 
 const dvec3 up(0, 0, 1);
 
-InnerTap inner_tap(const Configuration& c, int tap, int taps) {
+InnerLobe inner_lobe(const Configuration& c, int lobe, int lobes) {
   const dvec3 wo = c.wo();
   const double energy = tables::interface_energy_at(c.model, wo.z, c.alpha1, c.eta).transmitted;
-  const auto read = tables::interface_tap_at(c.model, tap, taps, wo.z, c.alpha1, c.eta);
-  return {f64::interfaceTapDirection(wo, up, read.angle), read.sigma, read.weight * energy};
+  const auto read = tables::interface_lobe_at(c.model, lobe, lobes, wo.z, c.alpha1, c.eta);
+  return {f64::interfaceLobeDirection(wo, up, read.angle), read.sigma, read.weight * energy};
 }
 
 ExitSurface exit_of(const Configuration& c, const dvec3& direction, bool curved = true) {
@@ -36,8 +36,8 @@ double passed(const Configuration& c, const ExitView& view, const ExitSurface& s
       .transmitted;
 }
 
-Lookup lookup_of(const ComposedTap& tap) {
-  return {tap.direction, tap.sigma, tap.weight};
+Lookup lookup_of(const ComposedLobe& lobe) {
+  return {lobe.direction, lobe.sigma, lobe.weight};
 }
 
 // Snell's law at the face with outward normal n; where that is total reflection, along the face.
@@ -55,46 +55,46 @@ double mirror_width(const tables::Model& model, double alpha) {
 
 } // namespace
 
-Widening widening(const tables::Model& model, int taps) {
-  return model.distribution == tables::Distribution::beckmann ? f64::wideningBeckmann(taps)
-                                                              : f64::wideningGgx(taps);
+Widening widening(const tables::Model& model, int lobes) {
+  return model.distribution == tables::Distribution::beckmann ? f64::wideningBeckmann(lobes)
+                                                              : f64::wideningGgx(lobes);
 }
 
 std::vector<Lookup> composed(const Configuration& c, const Shape& shape,
                              const std::optional<Widening>& constants, bool curved) {
   const Widening k = constants ? *constants : widening(c.model, shape.first);
-  std::vector<ComposedTap> taps;
+  std::vector<ComposedLobe> lobes;
   for (int i = 0; i < shape.first; ++i) {
-    const InnerTap inner = inner_tap(c, i, shape.first);
+    const InnerLobe inner = inner_lobe(c, i, shape.first);
     const ExitSurface s = exit_of(c, inner.direction, curved);
     const ExitView view = f64::seeExit(inner, i == 0, s, k);
     const double energy = passed(c, view, s);
     const auto through = [&](int j) {
-      const auto read = tables::interface_tap_at(
+      const auto read = tables::interface_lobe_at(
           c.model, j, shape.second, std::max(view.cosTheta, 0.0), view.alphaShape, s.eta);
-      return f64::composeTap(inner, view, s, read.angle, read.sigma, read.weight, energy);
+      return f64::composeLobe(inner, view, s, read.angle, read.sigma, read.weight, energy);
     };
     if (shape.second == 2) {
       const auto pair = f64::composedPair(through(0), through(1), view);
-      taps.insert(taps.end(), {pair.core, pair.rest});
+      lobes.insert(lobes.end(), {pair.core, pair.rest});
     } else {
-      taps.push_back(through(0));
+      lobes.push_back(through(0));
     }
   }
-  if (shape.kept == 2 && taps.size() == 4) {
-    const auto pair = f64::mergePairs({taps[0], taps[1]}, {taps[2], taps[3]});
-    taps = {pair.core, pair.rest};
+  if (shape.kept == 2 && lobes.size() == 4) {
+    const auto pair = f64::mergePairs({lobes[0], lobes[1]}, {lobes[2], lobes[3]});
+    lobes = {pair.core, pair.rest};
   }
   std::vector<Lookup> result;
-  for (const ComposedTap& tap : taps)
-    result.push_back(lookup_of(tap));
+  for (const ComposedLobe& lobe : lobes)
+    result.push_back(lookup_of(lobe));
   return result;
 }
 
 double reflected_inside(const Configuration& c) {
   double sum = 0.0;
   for (int i = 0; i < 2; ++i) {
-    const InnerTap inner = inner_tap(c, i, 2);
+    const InnerLobe inner = inner_lobe(c, i, 2);
     const ExitSurface s = exit_of(c, inner.direction);
     const ExitView view = f64::seeExit(inner, i == 0, s, widening(c.model, 2));
     if (!(view.cosTheta > 0.0)) continue;
@@ -108,18 +108,18 @@ std::vector<Lookup> standard_practice(const Configuration& c, bool leaves) {
   const dvec3 wo = c.wo(), inside = f64::refractAbout(wo, up, c.eta);
   const double roughness = std::sqrt(c.alpha1) * std::clamp(2.0 * c.eta - 2.0, 0.0, 1.0);
   const double alpha = roughness * roughness;
-  Lookup tap;
-  tap.direction = leaves ? snell(inside, exit_of(c, inside).n, c.eta) : inside;
-  tap.sigma = mirror_width(c.model, alpha);
-  tap.weight = f64::fresnelTransmittedAt(wo.z, c.eta);
-  return {tap};
+  Lookup lobe;
+  lobe.direction = leaves ? snell(inside, exit_of(c, inside).n, c.eta) : inside;
+  lobe.sigma = mirror_width(c.model, alpha);
+  lobe.weight = f64::fresnelTransmittedAt(wo.z, c.eta);
+  return {lobe};
 }
 
-std::vector<Lookup> added_variances(const Configuration& c, int taps, bool widened) {
-  const Widening k = widening(c.model, taps);
-  std::vector<ComposedTap> sums;
-  for (int i = 0; i < taps; ++i) {
-    const InnerTap inner = inner_tap(c, i, taps);
+std::vector<Lookup> added_variances(const Configuration& c, int lobes, bool widened) {
+  const Widening k = widening(c.model, lobes);
+  std::vector<ComposedLobe> sums;
+  for (int i = 0; i < lobes; ++i) {
+    const InnerLobe inner = inner_lobe(c, i, lobes);
     ExitSurface s = exit_of(c, inner.direction);
     ExitView view = f64::seeExit(inner, i == 0, s, k);
     if (!(view.cosTheta > 0.0)) continue;
@@ -129,40 +129,40 @@ std::vector<Lookup> added_variances(const Configuration& c, int taps, bool widen
     const dvec3 along = inner.direction - view.cosTheta * s.n;
     const double sine = std::sqrt(dot(along, along));
     const dvec3 t = along / std::max(sine, 1e-12);
-    for (int j = 0; j < taps; ++j) {
-      const auto read = tables::interface_tap_at(c.model, j, taps, view.cosTheta, s.alpha, s.eta);
+    for (int j = 0; j < lobes; ++j) {
+      const auto read = tables::interface_lobe_at(c.model, j, lobes, view.cosTheta, s.alpha, s.eta);
       // Beyond the critical angle the derivative has no end: it stops where the light outside is 0.1 above the face.
       const double cos_out = std::max(std::cos(read.angle), 0.1);
       const double in_plane = c.eta * view.cosTheta / cos_out * (1.0 - s.turn.x) + s.turn.x,
                    across = c.eta + (cos_out - c.eta * view.cosTheta) * s.turn.y;
       const double own = read.sigma * read.sigma, rays = inner.sigma * inner.sigma;
-      ComposedTap tap;
-      tap.direction = std::sin(read.angle) * t + std::cos(read.angle) * s.n;
-      tap.sigma =
+      ComposedLobe lobe;
+      lobe.direction = std::sin(read.angle) * t + std::cos(read.angle) * s.n;
+      lobe.sigma =
           std::sqrt(std::sqrt((own + in_plane * in_plane * rays) * (own + across * across * rays)));
-      tap.weight = inner.weight * read.weight * energy;
-      tap.inner = tap.carried = 0.0;
-      sums.push_back(tap);
+      lobe.weight = inner.weight * read.weight * energy;
+      lobe.inner = lobe.carried = 0.0;
+      sums.push_back(lobe);
     }
   }
-  while (static_cast<int>(sums.size()) > taps) {
-    const ComposedTap last = sums.back();
+  while (static_cast<int>(sums.size()) > lobes) {
+    const ComposedLobe last = sums.back();
     sums.pop_back();
-    sums.back() = f64::mergeTaps(sums.back(), last);
+    sums.back() = f64::mergeLobes(sums.back(), last);
   }
   std::vector<Lookup> result;
-  for (const ComposedTap& tap : sums)
-    result.push_back(lookup_of(tap));
+  for (const ComposedLobe& lobe : sums)
+    result.push_back(lookup_of(lobe));
   if (result.empty())
     result.push_back({c.solid.exit(f64::refractAbout(c.wo(), up, c.eta)).n, 0.5, 0.0});
   return result;
 }
 
-std::vector<Lookup> scaled(std::vector<Lookup> taps, double energy) {
-  const double factor = energy / std::max(energy_of(taps), 1e-6);
-  for (Lookup& tap : taps)
-    tap.weight *= factor;
-  return taps;
+std::vector<Lookup> scaled(std::vector<Lookup> lobes, double energy) {
+  const double factor = energy / std::max(energy_of(lobes), 1e-6);
+  for (Lookup& lobe : lobes)
+    lobe.weight *= factor;
+  return lobes;
 }
 
 } // namespace gg::composition_test

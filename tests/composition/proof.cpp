@@ -36,9 +36,9 @@ double rms(const std::vector<double>& values) {
 }
 
 // Errors of several methods over configurations, dark ones left out.
-using Taps = std::vector<Lookup> (*)(const Configuration&);
+using Lobes = std::vector<Lookup> (*)(const Configuration&);
 std::vector<double> errors(const std::vector<Configuration>& list,
-                           const std::vector<Taps>& methods) {
+                           const std::vector<Lobes>& methods) {
   environments();
   std::vector<std::vector<double>> all(methods.size(), std::vector<double>(list.size(), -1.0));
   tbb::parallel_for(std::size_t{0}, list.size(), [&](std::size_t i) {
@@ -56,7 +56,7 @@ std::vector<double> errors(const std::vector<Configuration>& list,
   return result;
 }
 
-TEST(composed_lobe, is_six_times_nearer_than_standard_practice_with_two_taps) {
+TEST(composed_lobe, is_six_times_nearer_than_standard_practice_with_two_lobes) {
   const auto e = errors(every(15), {[](const auto& c) { return standard_practice(c, false); },
                                     [](const auto& c) {
                                       return composed(c, {1, 1, 0});
@@ -68,9 +68,9 @@ TEST(composed_lobe, is_six_times_nearer_than_standard_practice_with_two_taps) {
                                       return composed(c, {2, 2, 0});
                                     },
                                     [](const auto& c) { return added_variances(c, 2, true); }});
-  std::printf(
-      "    standard %.3f  one tap %.3f  two taps %.3f  four unmerged %.3f  variances added %.3f\n",
-      e[0], e[1], e[2], e[3], e[4]);
+  std::printf("    standard %.3f  one lobe %.3f  two lobes %.3f  four unmerged %.3f  variances "
+              "added %.3f\n",
+              e[0], e[1], e[2], e[3], e[4]);
   EXPECT_LT(6.0 * e[2], e[0]);
   EXPECT_LT(4.0 * e[1], e[0]);
   // What merging costs, and what the rule is for.
@@ -109,7 +109,7 @@ void expect_energies(const tables::Model& model) {
     EXPECT_NEAR(through[i], 0.0, 0.08 + energy_noise) << list[i].label();
     worst = std::max(worst, std::abs(through[i]));
   }
-  std::printf("    let through: rms %.4f, largest %.3f; thrown back: rms %.4f\n", rms(through),
+  std::printf("    let through: rms %.4f, largest %.3f; reflected inside: rms %.4f\n", rms(through),
               worst, rms(back));
   EXPECT_LT(rms(through), 0.015);
   EXPECT_LT(rms(back), 0.035); // rays that miss the exit altogether are up to 0.2 of this
@@ -132,7 +132,7 @@ TEST(composed_lobe, holds_for_beckmann_and_correlated_masking) {
                                   [](const auto& c) {
                                     return composed(c, {2, 2, 2});
                                   }});
-    std::printf("    %s: standard %.3f  two taps %.3f\n", tables::name(model).c_str(), e[0], e[1]);
+    std::printf("    %s: standard %.3f  two lobes %.3f\n", tables::name(model).c_str(), e[0], e[1]);
     EXPECT_LT(6.0 * e[1], e[0]) << tables::name(model);
   }
 }
@@ -147,15 +147,15 @@ TEST(composed_lobe, holds_for_bubbles) {
              {std::pair{0.1, 0.1}, {0.25, 0.0}, {0.02, 0.3}, {0.4, 0.4}}) {
           const Configuration c{solid, ggx, alpha1, alpha2, eta, theta};
           const Truth truth = brute_force(c, shape_paths);
-          const auto taps = composed(c, {2, 2, 2});
-          energies.push_back(energy_of(taps) - truth.energy);
+          const auto lobes = composed(c, {2, 2, 2});
+          energies.push_back(energy_of(lobes) - truth.energy);
           EXPECT_NEAR(energies.back(), 0.0, 0.08 + energy_noise) << c.label();
           if (truth.energy < dark) continue;
           const auto seen_truth = seen(truth);
-          shapes.push_back(score(truth, seen_truth, taps).error);
+          shapes.push_back(score(truth, seen_truth, lobes).error);
           standard.push_back(score(truth, seen_truth, standard_practice(c, false)).error);
         }
-  std::printf("    energy rms %.4f; two taps %.3f, standard %.3f\n", rms(energies), rms(shapes),
+  std::printf("    energy rms %.4f; two lobes %.3f, standard %.3f\n", rms(energies), rms(shapes),
               rms(standard));
   EXPECT_LT(3.0 * rms(shapes), rms(standard));
 }
@@ -166,15 +166,15 @@ TEST(composed_lobe, of_a_nearly_smooth_slab_is_fresnels) {
     for (double theta : {0.0, 30.0, 60.0}) {
       const Configuration c{slab(), ggx, 1e-3, 1e-3, eta, theta};
       const double once = f64::fresnelTransmittedAt(c.wo().z, eta);
-      const auto taps = composed(c, {2, 2, 2});
-      EXPECT_NEAR(energy_of(taps), once * once, 0.004) << c.label();
-      for (const Lookup& tap : taps) {
-        EXPECT_GT(dot(tap.direction, -c.wo()), 0.999) << c.label();
+      const auto lobes = composed(c, {2, 2, 2});
+      EXPECT_NEAR(energy_of(lobes), once * once, 0.004) << c.label();
+      for (const Lookup& lobe : lobes) {
+        EXPECT_GT(dot(lobe.direction, -c.wo()), 0.999) << c.label();
       }
     }
 }
 
-// Rough in, nearly smooth out, at the critical angle: the truth is a lobe cut off at the horizon. One tap is no way out of it.
+// Rough in, nearly smooth out, at the critical angle: the truth is a lobe cut off at the horizon. One lobe is no way out of it.
 TEST(composed_lobe, is_three_times_nearer_even_where_it_is_worst) {
   std::vector<Configuration> nearly_dark;
   for (const Configuration& c : every(1))
@@ -187,7 +187,7 @@ TEST(composed_lobe, is_three_times_nearer_even_where_it_is_worst) {
                                         return composed(c, {1, 1, 0});
                                       }});
   std::printf("    %zu configurations near the critical angle, rough in and smooth out: standard "
-              "%.3f  two taps %.3f  one tap "
+              "%.3f  two lobes %.3f  one lobe "
               "%.3f\n",
               nearly_dark.size(), e[0], e[1], e[2]);
   EXPECT_LT(3.0 * e[1], e[0]);

@@ -13,9 +13,9 @@ namespace {
 
 namespace f64 = gg::glsl::f64;
 namespace f32 = gg::glsl::f32;
-using f64::ComposedTap;
+using f64::ComposedLobe;
 using f64::ExitSurface;
-using f64::InnerTap;
+using f64::InnerLobe;
 using glm::dvec3;
 
 constexpr double rounding = 1e-11; // some dozen operations of double, angles through atan and back
@@ -23,13 +23,14 @@ constexpr double rounding = 1e-11; // some dozen operations of double, angles th
 const double thetas[] = {0.0, 10.0, 35.0, 60.0, 80.0, 89.0};
 const double etas[] = {0.5, 1.0 / 1.5, 1.0 / 1.1, 1.1, 1.33, 1.5, 2.4};
 
-// A tap as the tables hold it, of Snell's angle and `per_width` times the first-order width.
-ComposedTap compose(const InnerTap& inner, const ExitSurface& s, const f64::Widening& k,
-                    double per_width) {
+// A lobe as the tables hold it, of Snell's angle and `per_width` times the first-order width.
+ComposedLobe compose(const InnerLobe& inner, const ExitSurface& s, const f64::Widening& k,
+                     double per_width) {
   const auto view = f64::seeExit(inner, true, s, k);
   const double cosine = std::max(view.cosTheta, 0.0);
-  return f64::composeTap(inner, view, s, f64::interfaceSnell(cosine, s.eta),
-                         per_width * f64::interfaceWidth(cosine, view.alphaShape, s.eta), 1.0, 1.0);
+  return f64::composeLobe(inner, view, s, f64::interfaceSnell(cosine, s.eta),
+                          per_width * f64::interfaceWidth(cosine, view.alphaShape, s.eta), 1.0,
+                          1.0);
 }
 
 // Snell's law for a ray d that meets the outward normal n; ratio = n_inside / n_outside. False: total reflection.
@@ -68,17 +69,17 @@ TEST(composition, of_two_smooth_faces_is_snells_law_twice) {
       for (double theta : thetas) {
         const Configuration c = smooth(solid, eta, theta);
         const dvec3 inside =
-            f64::interfaceTapDirection(c.wo(), {0, 0, 1}, f64::interfaceSnell(c.wo().z, eta));
+            f64::interfaceLobeDirection(c.wo(), {0, 0, 1}, f64::interfaceSnell(c.wo().z, eta));
         const Exit exit = solid.exit(inside);
         dvec3 expected;
         if (!snell(inside, exit.n, eta, expected)) continue;
-        const ComposedTap tap = compose({inside, 0.0, 1.0}, {exit.n, 0.0, 1.0 / eta, exit.turn},
-                                        f64::wideningGgx(2), 1.0);
-        EXPECT_LT(length(tap.direction - expected),
+        const ComposedLobe lobe = compose({inside, 0.0, 1.0}, {exit.n, 0.0, 1.0 / eta, exit.turn},
+                                          f64::wideningGgx(2), 1.0);
+        EXPECT_LT(length(lobe.direction - expected),
                   rounding / std::max(dot(expected, exit.n), 1e-3))
             << c.label();
-        EXPECT_EQ(tap.sigma, 0.0);
-        EXPECT_EQ(tap.weight, 1.0);
+        EXPECT_EQ(lobe.sigma, 0.0);
+        EXPECT_EQ(lobe.weight, 1.0);
         ++checked;
       }
   EXPECT_GT(checked, 200);
@@ -90,10 +91,10 @@ TEST(composition, a_slab_gives_the_entering_direction_back) {
       const Configuration c = smooth(slab(), eta, theta);
       if (eta < 1.0 && std::sin(theta * degree) > eta) continue;
       const dvec3 inside =
-          f64::interfaceTapDirection(c.wo(), {0, 0, 1}, f64::interfaceSnell(c.wo().z, eta));
-      const ComposedTap tap =
+          f64::interfaceLobeDirection(c.wo(), {0, 0, 1}, f64::interfaceSnell(c.wo().z, eta));
+      const ComposedLobe lobe =
           compose({inside, 0.0, 1.0}, {{0, 0, -1}, 0.0, 1.0 / eta, {}}, f64::wideningGgx(2), 1.0);
-      EXPECT_LT(length(tap.direction + c.wo()), rounding / c.wo().z) << c.label();
+      EXPECT_LT(length(lobe.direction + c.wo()), rounding / c.wo().z) << c.label();
     }
 }
 
@@ -124,7 +125,7 @@ TEST(composition, of_a_smooth_exit_is_the_derivative_of_snells_law_curved_faces_
       for (double theta : {10.0, 35.0, 60.0, 75.0}) {
         const Configuration c = smooth(solid, eta, theta);
         const dvec3 inside =
-            f64::interfaceTapDirection(c.wo(), {0, 0, 1}, f64::interfaceSnell(c.wo().z, eta));
+            f64::interfaceLobeDirection(c.wo(), {0, 0, 1}, f64::interfaceSnell(c.wo().z, eta));
         const Exit exit = solid.exit(inside);
         dvec3 out;
         Spread spread;
@@ -135,13 +136,13 @@ TEST(composition, of_a_smooth_exit_is_the_derivative_of_snells_law_curved_faces_
         if (std::abs(1.0 - exit.turn.x) < 0.05) continue; // a focus on the exit: the rule's bound
         if (std::max(exit.turn.x, exit.turn.y) == 8.0) continue; // exitTurn's bound
         const f64::Widening k = f64::wideningGgx(2);
-        const ComposedTap tap = compose({inside, sigma, 1.0}, {exit.n, 0.0, 1.0 / eta, exit.turn},
-                                        k, 1.0 / k.shapeRays);
+        const ComposedLobe lobe = compose({inside, sigma, 1.0}, {exit.n, 0.0, 1.0 / eta, exit.turn},
+                                          k, 1.0 / k.shapeRays);
         // The width at the critical angle is bounded by alpha, which is 1e-4 here: 1e-3 of sigma; differences are 1e-4.
         const double expected = sigma * std::sqrt(std::abs(spread.in_plane * spread.across));
-        EXPECT_NEAR(tap.sigma, expected, 2e-3 * sigma + 5e-3 * expected) << c.label();
+        EXPECT_NEAR(lobe.sigma, expected, 2e-3 * sigma + 5e-3 * expected) << c.label();
         const double carried = 0.5 * sigma * (spread.in_plane + spread.across);
-        EXPECT_NEAR(tap.carried, std::clamp(carried, -expected, expected),
+        EXPECT_NEAR(lobe.carried, std::clamp(carried, -expected, expected),
                     5e-3 * (sigma + std::abs(carried)))
             << c.label() << " in plane " << spread.in_plane << " across " << spread.across;
         ++checked;
@@ -156,54 +157,54 @@ TEST(composition, of_narrow_lobes_adds_variances) {
       const Configuration c = smooth(slab(), eta, theta);
       if (eta < 1.0 && std::sin(theta * degree) > 0.9 * eta) continue;
       const dvec3 inside =
-          f64::interfaceTapDirection(c.wo(), {0, 0, 1}, f64::interfaceSnell(c.wo().z, eta));
-      // Exact for one tap; for the tables' two, which have other widths per alpha, the constants are a compromise.
+          f64::interfaceLobeDirection(c.wo(), {0, 0, 1}, f64::interfaceSnell(c.wo().z, eta));
+      // Exact for one lobe; for the tables' two, which have other widths per alpha, the constants are a compromise.
       const f64::Widening k = f64::wideningGgx(1);
       const double alpha = 1e-4, per_width = 1.0 / k.shape;
       for (double sigma : {0.1 * alpha, 0.5 * alpha, alpha, 4.0 * alpha}) {
-        const ComposedTap tap =
+        const ComposedLobe lobe =
             compose({inside, sigma, 1.0}, {{0, 0, -1}, alpha, 1.0 / eta, {}}, k, per_width);
         const double ci = -inside.z, co = c.wo().z, bend = std::abs(eta * ci - co);
         const double facet = per_width * alpha * bend;
         const double in_plane = std::pow(facet / co, 2) + std::pow(eta * ci / co * sigma, 2),
                      across = std::pow(facet, 2) + std::pow(eta * sigma, 2);
         const double expected = std::sqrt(std::sqrt(in_plane * across));
-        EXPECT_NEAR(tap.sigma, expected, 1e-3 * expected) << c.label() << " sigma " << sigma;
+        EXPECT_NEAR(lobe.sigma, expected, 1e-3 * expected) << c.label() << " sigma " << sigma;
       }
     }
 }
 
 TEST(composition, an_index_matched_exit_is_not_there) {
-  const InnerTap inner{normalize(dvec3(0.3, -0.2, -0.9)), 0.17, 0.6};
+  const InnerLobe inner{normalize(dvec3(0.3, -0.2, -0.9)), 0.17, 0.6};
   for (double eta : {1.0, 1.0 + 1e-9, 1.0 - 5e-5}) {
-    const ComposedTap tap =
+    const ComposedLobe lobe =
         compose(inner, {{0, 0, -1}, 0.3, eta, {0.5, 0.2}}, f64::wideningGgx(2), 1.4);
-    EXPECT_EQ(tap.direction, inner.direction);
-    EXPECT_EQ(tap.sigma, inner.sigma);
-    EXPECT_EQ(tap.weight, inner.weight);
-    EXPECT_EQ(tap.carried, inner.sigma);
+    EXPECT_EQ(lobe.direction, inner.direction);
+    EXPECT_EQ(lobe.sigma, inner.sigma);
+    EXPECT_EQ(lobe.weight, inner.weight);
+    EXPECT_EQ(lobe.carried, inner.sigma);
   }
   // Nor is there a step towards it: a face that hardly bends passes the ray's own width on.
-  const ComposedTap near = compose(inner, {{0, 0, -1}, 0.0, 1.0 / 1.001, {}}, f64::wideningGgx(1),
-                                   1.0 / f64::wideningGgx(1).shapeRays);
+  const ComposedLobe near = compose(inner, {{0, 0, -1}, 0.0, 1.0 / 1.001, {}}, f64::wideningGgx(1),
+                                    1.0 / f64::wideningGgx(1).shapeRays);
   EXPECT_NEAR(near.sigma, inner.sigma, 0.02 * inner.sigma);
   EXPECT_LT(length(near.direction - inner.direction), 2e-3);
 }
 
-TEST(composition, a_tap_that_does_not_meet_the_face_carries_nothing) {
+TEST(composition, a_lobe_that_does_not_meet_the_face_carries_nothing) {
   for (double z : {0.0, 0.2, 1.0}) {
     const dvec3 d = z < 1.0 ? dvec3(std::sqrt(1.0 - z * z), 0.0, z) : dvec3(0, 0, 1);
-    const ComposedTap tap =
+    const ComposedLobe lobe =
         compose({d, 0.2, 1.0}, {{0, 0, -1}, 0.2, 1.0 / 1.5, {}}, f64::wideningGgx(2), 1.0);
-    EXPECT_EQ(tap.weight, 0.0);
-    EXPECT_EQ(tap.direction, d);
+    EXPECT_EQ(lobe.weight, 0.0);
+    EXPECT_EQ(lobe.direction, d);
   }
 }
 
 TEST(composition, merging_keeps_energy_mean_and_variance) {
-  const ComposedTap a{normalize(dvec3(0.02, 0.01, -1)), 0.05, 0.3, 0.02, 0.03},
+  const ComposedLobe a{normalize(dvec3(0.02, 0.01, -1)), 0.05, 0.3, 0.02, 0.03},
       b{normalize(dvec3(-0.04, 0.02, -1)), 0.11, 0.1, 0.04, 0.01};
-  const ComposedTap m = f64::mergeTaps(a, b);
+  const ComposedLobe m = f64::mergeLobes(a, b);
   EXPECT_DOUBLE_EQ(m.weight, 0.4);
   const dvec3 mean = 0.75 * a.direction + 0.25 * b.direction;
   EXPECT_LT(length(m.direction - normalize(mean)), rounding);
@@ -213,19 +214,19 @@ TEST(composition, merging_keeps_energy_mean_and_variance) {
               0.75 * 0.05 * 0.05 + 0.25 * 0.11 * 0.11 + 0.5 * 0.75 * 0.25 * apart2, rounding);
   EXPECT_NEAR(m.inner * m.carried, 0.75 * 0.02 * 0.03 + 0.25 * 0.04 * 0.01, rounding);
   // In any order.
-  const ComposedTap n = f64::mergeTaps(b, a);
+  const ComposedLobe n = f64::mergeLobes(b, a);
   EXPECT_LT(length(m.direction - n.direction), rounding);
   EXPECT_NEAR(m.sigma, n.sigma, rounding);
-  // With nothing, a tap stays what it is; two of nothing are the first.
-  ComposedTap none = b;
+  // With nothing, a lobe stays what it is; two of nothing are the first.
+  ComposedLobe none = b;
   none.weight = 0.0;
-  EXPECT_LT(length(f64::mergeTaps(a, none).direction - a.direction), rounding);
-  EXPECT_EQ(f64::mergeTaps(a, none).sigma, a.sigma);
-  EXPECT_EQ(f64::mergeTaps(none, none).weight, 0.0);
-  EXPECT_LT(length(f64::mergeTaps(none, none).direction - b.direction), rounding);
-  ComposedTap opposite = a;
+  EXPECT_LT(length(f64::mergeLobes(a, none).direction - a.direction), rounding);
+  EXPECT_EQ(f64::mergeLobes(a, none).sigma, a.sigma);
+  EXPECT_EQ(f64::mergeLobes(none, none).weight, 0.0);
+  EXPECT_LT(length(f64::mergeLobes(none, none).direction - b.direction), rounding);
+  ComposedLobe opposite = a;
   opposite.direction = -a.direction;
-  EXPECT_EQ(f64::mergeTaps(a, opposite).direction, a.direction);
+  EXPECT_EQ(f64::mergeLobes(a, opposite).direction, a.direction);
 }
 
 // The same grid of extremes in both precisions.
@@ -251,13 +252,13 @@ struct Extremes {
                 for (Real sigma : {Real(0), Real(1e-7), Real(0.4)}) {
                   const Vec3 d(std::sqrt(std::max(Real(1) - c * c, Real(0))), 0, c);
                   const auto view = see(d, width, alpha, eta, turn);
-                  const auto tap = compose(d, width, alpha, eta, turn, view, angle, sigma);
-                  const Real length2 = tap.direction.x * tap.direction.x
-                                       + tap.direction.y * tap.direction.y
-                                       + tap.direction.z * tap.direction.z;
-                  const bool fine = std::abs(length2 - 1) < Real(1e-5) && tap.sigma >= 0
-                                    && tap.sigma < 100 && tap.weight >= 0 && tap.weight <= 1
-                                    && std::abs(tap.carried) <= tap.sigma && view.alphaShape >= 0
+                  const auto lobe = compose(d, width, alpha, eta, turn, view, angle, sigma);
+                  const Real length2 = lobe.direction.x * lobe.direction.x
+                                       + lobe.direction.y * lobe.direction.y
+                                       + lobe.direction.z * lobe.direction.z;
+                  const bool fine = std::abs(length2 - 1) < Real(1e-5) && lobe.sigma >= 0
+                                    && lobe.sigma < 100 && lobe.weight >= 0 && lobe.weight <= 1
+                                    && std::abs(lobe.carried) <= lobe.sigma && view.alphaShape >= 0
                                     && view.alphaShape <= 1 && view.alphaEnergy <= 1
                                     && view.own >= 0 && view.own <= 1;
                   ++count;
@@ -265,7 +266,7 @@ struct Extremes {
                     ADD_FAILURE() << "cos " << c << " eta " << eta << " width " << width
                                   << " alpha " << alpha << " turn " << turn << " angle " << angle
                                   << " sigma " << sigma << ": length² " << length2 << " sigma "
-                                  << tap.sigma << " carried " << tap.carried;
+                                  << lobe.sigma << " carried " << lobe.carried;
                 }
     EXPECT_EQ(bad, 0) << "of " << count;
   }
@@ -278,8 +279,8 @@ TEST(composition, is_finite_for_every_extreme_in_double) {
                             f64::wideningGgx(2));
       },
       [](auto d, auto width, auto alpha, auto eta, auto turn, auto view, auto angle, auto sigma) {
-        return f64::composeTap({d, width, 1.0}, view, {{0, 0, 1}, alpha, eta, {turn, turn}}, angle,
-                               sigma, 1.0, 1.0);
+        return f64::composeLobe({d, width, 1.0}, view, {{0, 0, 1}, alpha, eta, {turn, turn}}, angle,
+                                sigma, 1.0, 1.0);
       });
 }
 
@@ -290,8 +291,8 @@ TEST(composition, is_finite_for_every_extreme_in_float) {
                             f32::wideningGgx(2));
       },
       [](auto d, auto width, auto alpha, auto eta, auto turn, auto view, auto angle, auto sigma) {
-        return f32::composeTap({d, width, 1.0f}, view, {{0, 0, 1}, alpha, eta, {turn, turn}}, angle,
-                               sigma, 1.0f, 1.0f);
+        return f32::composeLobe({d, width, 1.0f}, view, {{0, 0, 1}, alpha, eta, {turn, turn}},
+                                angle, sigma, 1.0f, 1.0f);
       });
 }
 

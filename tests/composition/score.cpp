@@ -18,18 +18,18 @@ constexpr double floor_share = 0.2;
 constexpr double smoothing = 0.1;
 
 std::vector<double> residuals(const std::vector<double>& truth_seen,
-                              const std::vector<Lookup>& taps, double energy) {
+                              const std::vector<Lookup>& lobes, double energy) {
   std::vector<double> r;
   r.reserve(truth_seen.size());
   for (std::size_t v = 0; v < truth_seen.size(); ++v) {
     const auto& view = environments().views()[v];
     const tables::SphereStack& stack = environments().stack(view);
     double sum = 0.0;
-    for (const Lookup& tap : taps)
-      if (tap.weight > 0.0)
-        sum += tap.weight
+    for (const Lookup& lobe : lobes)
+      if (lobe.weight > 0.0)
+        sum += lobe.weight
                * static_cast<double>(
-                   stack.radiance(view.world_from_local * glm::vec3(tap.direction), tap.sigma));
+                   stack.radiance(view.world_from_local * glm::vec3(lobe.direction), lobe.sigma));
     const double floor = floor_share * stack.geometric_mean;
     r.push_back(std::log((sum / energy + floor) / (truth_seen[v] + floor)));
   }
@@ -45,10 +45,10 @@ double sum_of_squares(const std::vector<double>& r) {
 
 } // namespace
 
-double energy_of(const std::vector<Lookup>& taps) {
+double energy_of(const std::vector<Lookup>& lobes) {
   double sum = 0.0;
-  for (const Lookup& tap : taps)
-    sum += tap.weight;
+  for (const Lookup& lobe : lobes)
+    sum += lobe.weight;
   return sum;
 }
 
@@ -81,44 +81,44 @@ std::vector<double> seen(const Truth& truth) {
 }
 
 Score score(const Truth& truth, const std::vector<double>& truth_seen,
-            const std::vector<Lookup>& taps) {
+            const std::vector<Lookup>& lobes) {
   const auto rms = [&](double energy) {
-    return std::sqrt(sum_of_squares(residuals(truth_seen, taps, energy))
+    return std::sqrt(sum_of_squares(residuals(truth_seen, lobes, energy))
                      / static_cast<double>(truth_seen.size()));
   };
   // Nothing at all, if that is the answer, is scored as black.
-  const double energy = std::max(energy_of(taps), 1e-6);
+  const double energy = std::max(energy_of(lobes), 1e-6);
   return {rms(truth.energy), rms(energy)};
 }
 
 std::vector<Lookup> fitted(const Truth& truth, const std::vector<double>& truth_seen,
                            std::vector<Lookup> start) {
-  // Per tap: two turns, ln sigma, ln weight.
+  // Per lobe: two turns, ln sigma, ln weight.
   const std::size_t count = 4 * start.size();
   const auto moved = [&](const std::vector<Lookup>& from, const std::vector<double>& step) {
     std::vector<Lookup> to = from;
     for (std::size_t i = 0; i < to.size(); ++i) {
-      Lookup& tap = to[i];
+      Lookup& lobe = to[i];
       const glm::dvec3 side =
-          std::abs(tap.direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-      const glm::dvec3 x = normalize(cross(side, tap.direction)), y = cross(tap.direction, x);
-      tap.direction = normalize(tap.direction + step[4 * i] * x + step[4 * i + 1] * y);
-      tap.sigma =
-          std::clamp(tap.sigma * std::exp(std::clamp(step[4 * i + 2], -0.5, 0.5)), 1e-4, 1.25);
-      tap.weight *= std::exp(std::clamp(step[4 * i + 3], -1.0, 1.0));
+          std::abs(lobe.direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+      const glm::dvec3 x = normalize(cross(side, lobe.direction)), y = cross(lobe.direction, x);
+      lobe.direction = normalize(lobe.direction + step[4 * i] * x + step[4 * i + 1] * y);
+      lobe.sigma =
+          std::clamp(lobe.sigma * std::exp(std::clamp(step[4 * i + 2], -0.5, 0.5)), 1e-4, 1.25);
+      lobe.weight *= std::exp(std::clamp(step[4 * i + 3], -1.0, 1.0));
     }
     const double scale = truth.energy / energy_of(to);
-    for (Lookup& tap : to)
-      tap.weight *= scale;
+    for (Lookup& lobe : to)
+      lobe.weight *= scale;
     return to;
   };
-  for (Lookup& tap : start) {
-    tap.weight = std::max(tap.weight, 0.02 * truth.energy);
-    tap.sigma = std::max(tap.sigma, 1e-3);
+  for (Lookup& lobe : start) {
+    lobe.weight = std::max(lobe.weight, 0.02 * truth.energy);
+    lobe.sigma = std::max(lobe.sigma, 1e-3);
   }
   start = moved(start, std::vector<double>(count, 0.0));
-  const auto residual = [&](const std::vector<Lookup>& taps) {
-    return residuals(truth_seen, taps, truth.energy);
+  const auto residual = [&](const std::vector<Lookup>& lobes) {
+    return residuals(truth_seen, lobes, truth.energy);
   };
   std::vector<double> r = residual(start);
   double least = sum_of_squares(r), damping = 1e-2;

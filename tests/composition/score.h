@@ -15,7 +15,7 @@ struct Lookup {
   double weight = 0.0; // energy included
 };
 
-double energy_of(const std::vector<Lookup>& taps);
+double energy_of(const std::vector<Lookup>& lobes);
 
 // The held-out maps in many orientations. The first call says how fine they are, texels along a cube's edge: the narrowest
 // lobes ask for 128, which take a while to blur.
@@ -26,13 +26,13 @@ std::vector<double> seen(const Truth& truth);
 
 struct Score {
   double error =
-      0.0; // root mean square of ln((taps + f) / (truth + f)), f a fifth of the map's geometric mean and of the energy
-  double shape = 0.0; // the same with the taps given the truth's energy
+      0.0; // root mean square of ln((lobes + f) / (truth + f)), f a fifth of the map's geometric mean and of the energy
+  double shape = 0.0; // the same with the lobes given the truth's energy
 };
 Score score(const Truth& truth, const std::vector<double>& truth_seen,
-            const std::vector<Lookup>& taps);
+            const std::vector<Lookup>& lobes);
 
-// The least error that this many free taps can have: the taps given, improved by Levenberg and Marquardt's method.
+// The least error that this many free lobes can have: the lobes given, improved by Levenberg and Marquardt's method.
 std::vector<Lookup> fitted(const Truth& truth, const std::vector<double>& truth_seen,
                            std::vector<Lookup> start);
 

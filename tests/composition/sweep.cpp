@@ -16,7 +16,7 @@ namespace {
 
 struct Method {
   std::string name;
-  std::function<std::vector<Lookup>(const Configuration&, const Truth&)> taps;
+  std::function<std::vector<Lookup>(const Configuration&, const Truth&)> lobes;
 };
 
 const std::vector<Method>& methods() {
@@ -41,7 +41,7 @@ const std::vector<Method>& methods() {
        [](const auto& c, const auto&) {
          return composed(c, {2, 2, 2});
        }},
-      {"composed 2x2, four taps",
+      {"composed 2x2, four lobes",
        [](const auto& c, const auto&) {
          return composed(c, {2, 2, 0});
        }},
@@ -146,7 +146,7 @@ int main(int argc, char** argv) {
     names.push_back(m.name);
   if (floors)
     for (int k = 1; k <= 2; ++k)
-      names.push_back("floor: " + std::to_string(k) + " free taps");
+      names.push_back("floor: " + std::to_string(k) + " free lobes");
   std::vector<Result> results(list.size());
   tbb::parallel_for(std::size_t{0}, list.size(), [&](std::size_t i) {
     const Configuration& c = list[i];
@@ -159,12 +159,12 @@ int main(int argc, char** argv) {
     r.reflected_rule = reflected_inside(c);
     r.past_critical = past_critical(c);
     const std::vector<double> seen_truth = r.energy >= dark ? seen(truth) : std::vector<double>();
-    const auto judge = [&](const std::vector<Lookup>& taps) {
-      r.energies.push_back(energy_of(taps));
-      r.scores.push_back(r.energy >= dark ? score(truth, seen_truth, taps) : Score{});
+    const auto judge = [&](const std::vector<Lookup>& lobes) {
+      r.energies.push_back(energy_of(lobes));
+      r.scores.push_back(r.energy >= dark ? score(truth, seen_truth, lobes) : Score{});
     };
     for (const Method& m : methods())
-      judge(m.taps(c, truth));
+      judge(m.lobes(c, truth));
     if (floors)
       for (int k = 1; k <= 2; ++k) {
         const auto start = composed(c, k == 1 ? Shape{1, 1, 0} : Shape{2, 2, 2});
@@ -175,7 +175,7 @@ int main(int argc, char** argv) {
   Mean reflected;
   for (const Result& r : results)
     reflected.add(r.reflected_rule - r.reflected);
-  std::printf("\nThrown back inside: rms error %.3f, largest %.3f of the incoming light (%d "
+  std::printf("\nReflected inside: rms error %.3f, largest %.3f of the incoming light (%d "
               "configurations)\n",
               reflected.rms(), reflected.worst(), reflected.count());
   std::vector<const Result*> worst;

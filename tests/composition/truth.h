@@ -58,7 +58,7 @@ struct Truth {
   double entered =
       0.0; // share of the light that passes the first face (whatever meets the exit or not)
   double energy = 0.0;    // share that passes both
-  double reflected = 0.0; // share that the exit throws back inside
+  double reflected = 0.0; // share that the exit reflects inside
   double spread = 0.0;    // radians: median angle from the mean direction
 };
 

@@ -171,7 +171,8 @@ TEST(gaussian_stack, seams_are_invisible) {
   std::printf("    worst step across an edge that should not be there: %.4f of the peak\n", worst);
 }
 
-// The convention of app/environment/map.h: u = atan2(z, x) / 2π + 1/2, v = acos(y) / π. One coloured pixel per axis must be where the axis is.
+// The convention of app/environment/map.h: u = atan2(z, x) / 2π + 1/2, v = acos(y) / π. One coloured pixel per axis must be where
+// the axis is.
 TEST(gaussian_stack, axes_are_where_the_formula_puts_them) {
   constexpr int width = 128, height = 64;
   const glm::dvec3 axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};

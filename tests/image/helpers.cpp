@@ -1,4 +1,4 @@
-// The helpers that other rooms' tests rely on must fail when they should.
+// The helpers that other modules' tests rely on must fail when they should.
 #include "image/samples.h"
 #include "support/pictures.h"
 #include "support/scratch.h"

@@ -1,5 +1,6 @@
-// kit_score SIZE PICTURE MASK.rgba REFERENCE.exr OUT.png: error of a picture (.exr, .hdr, or .rgba that a browser has read back: float
-// RGBA, the lowest row first) over the pixels whose mask is 1, of all and of each object, as JSON; the picture itself for people.
+// kit_score SIZE PICTURE MASK.rgba REFERENCE.exr OUT.png: error of a picture (.exr, .hdr, or .rgba that a browser has read back:
+// float RGBA, the lowest row first) over the pixels whose mask is 1, of all and of each object, as JSON; the picture itself for
+// people.
 #include "glsl/f32.h"
 #include "image/compare.h"
 #include "image/image.h"

@@ -9,7 +9,7 @@ against `groundglass eval --backend cpu`; what is left is Mitsuba's float32 arit
 
 How the conventions map. Mitsuba's wi is the known direction (Walter's i), wo the other (o); eval() is f |cos(wo)|; its
 eta is n_transmitted / n_incident seen from wi, as ours. TransportMode.Importance is Walter's f_t, power that scatters from
-i to o: our f_cos. TransportMode.Radiance carries the other way and has the factor 1 / eta² for the widening of the beam:
+i to o: our f_cos. TransportMode.Radiance carries the other way and has the factor 1 / eta² for the widening of the lobe:
 our f_cos / eta², which shaders/bsdf/transmission.glsl calls transmissionF. Reflection is the same in both modes. pdf() is
 of wo, times the probability F (or 1 - F) of choosing the lobe: our pdf_vndf F, pdf_vndf (1 - F); GGX only.
 """

@@ -110,17 +110,17 @@ TEST(needs, a_convex_solid_takes_one_pair_of_faces_and_others_two) {
   EXPECT_EQ(target(concave, "interior")->layers, 4);
 }
 
-// Half of what loses its way in a rough body comes from behind the viewer.
-TEST(needs, what_is_left_over_is_looked_up_twice_where_it_loses_its_way) {
-  const auto left_over = [](scene::Scene scene, float roughness) {
+// Half of what scatters diffusely inside a rough body comes from behind the viewer.
+TEST(needs, residual_energy_takes_two_lookups_where_it_scatters_inside) {
+  const auto residual = [](scene::Scene scene, float roughness) {
     scene.materials[0] = glass(roughness);
-    return needs::needs_of(scene, view()).lookups.left_over;
+    return needs::needs_of(scene, view()).lookups.residual;
   };
   const scene::Scene convex = box(glass(0.3f));
   const scene::Scene head = scene::load(home_directory() / "assets/scenes/Suzanne/Suzanne.gltf");
-  EXPECT_EQ(left_over(convex, 0.3f), 1);
-  EXPECT_EQ(left_over(head, 0.3f), 2);
-  EXPECT_EQ(left_over(head, 0.0f), 1);
+  EXPECT_EQ(residual(convex, 0.3f), 1);
+  EXPECT_EQ(residual(head, 0.3f), 2);
+  EXPECT_EQ(residual(head, 0.0f), 1);
 }
 
 TEST(needs, index_one_takes_no_tables_and_an_inside_only_where_it_absorbs) {
@@ -151,7 +151,7 @@ TEST(needs, the_method_of_peers_takes_no_inside_and_no_tables_of_transmission) {
   EXPECT_EQ(needs.lookups.refracted, 1);
 }
 
-TEST(needs, taps_are_those_of_the_method) {
+TEST(needs, lobes_are_those_of_the_method) {
   const scene::Scene scene = box(glass(0.3f));
   EXPECT_TRUE(has_table(needs::needs_of(scene, view(Method::lobes1)), "interface-lobes1-ggx"));
   EXPECT_TRUE(has_table(needs::needs_of(scene, view(Method::lobes2)), "interface-lobes2-ggx"));
@@ -159,14 +159,14 @@ TEST(needs, taps_are_those_of_the_method) {
   EXPECT_EQ(needs::needs_of(scene, view(Method::lobes2)).lookups.refracted, 2);
 }
 
-TEST(needs, what_scatters_nothing_reads_no_table_and_takes_one_tap) {
+TEST(needs, what_scatters_nothing_reads_no_table_and_takes_one_lobe) {
   scene::Scene scene = box(glass(0.0f));
   add(scene, ball(metal(0.0f)), at({2.5f, 0, 0}));
   add(scene, square(thin(glass(0.0f))), at({-2.5f, 0, 0}));
   const Needs smooth = needs::needs_of(scene, view());
   EXPECT_TRUE(smooth.tables.empty());
   for (const needs::Draw& draw : smooth.draws.all)
-    EXPECT_EQ(value_of(draw.key, needs::Feature::lobe_taps), 1);
+    EXPECT_EQ(value_of(draw.key, needs::Feature::lobe_count), 1);
   // One face that scatters is enough.
   scene.materials[0].back_alpha = 0.2f;
   EXPECT_TRUE(has_table(needs::needs_of(scene, view()), "interface-lobes2-ggx"));

@@ -73,8 +73,8 @@ glm::mat4 at(const glm::vec3& place) {
   return glm::translate(glm::mat4(1.0f), place);
 }
 
-// Something of everything: a metal that has company, glass behind glass, and a wall before them.
-scene::Scene company() {
+// A bit of everything: a metal that has neighbours, glass behind glass, and a wall before them.
+scene::Scene neighbours() {
   scene::Scene scene = ball(glass(0.2f));
   add(scene, ball(metal(0.2f)), at({-1.2f, 0.8f, -2}));
   add(scene, box(glass(0.1f)), at({1.4f, 0, -2.5f}));
@@ -85,7 +85,7 @@ scene::Scene company() {
 } // namespace
 
 TEST(needs, the_frame_runs_exactly_the_passes_that_are_listed) {
-  for (const scene::Scene& scene : {ball(dielectric(0.5f)), company()}) {
+  for (const scene::Scene& scene : {ball(dielectric(0.5f)), neighbours()}) {
     const Drawn drawn = draw(scene);
     EXPECT_EQ(drawn.passes, drawn.listed);
     EXPECT_EQ(drawn.bytes, drawn.expected);
@@ -93,7 +93,7 @@ TEST(needs, the_frame_runs_exactly_the_passes_that_are_listed) {
 }
 
 TEST(needs, an_unused_feature_changes_neither_passes_nor_pixels_nor_cost) {
-  const scene::Scene plain = company();
+  const scene::Scene plain = neighbours();
   scene::Scene laden = plain;
   laden.images.push_back(std::make_shared<image::Image8>(
       image::Image8{.width = 2, .height = 1, .rgba = {1, 2, 3, 4, 5, 6, 7, 8}}));
@@ -113,7 +113,7 @@ TEST(needs, an_unused_feature_changes_neither_passes_nor_pixels_nor_cost) {
 
 // Past what is a neighbour of something that is (needs/neighbours.h).
 TEST(needs, what_is_not_in_the_view_nor_near_changes_no_pixel) {
-  const scene::Scene plain = company();
+  const scene::Scene plain = neighbours();
   scene::Scene laden = plain;
   add(laden, ball(metal(0.1f)), at({80, 0, 0}));
   add(laden, ball(glass(0.4f)), at({0, 0, 60}));
@@ -123,7 +123,7 @@ TEST(needs, what_is_not_in_the_view_nor_near_changes_no_pixel) {
 }
 
 TEST(needs, glass_that_cannot_be_seen_is_not_drawn) {
-  const scene::Scene plain = company();
+  const scene::Scene plain = neighbours();
   scene::Scene laden = plain;
   add(laden, ball(glass(0.7f, 1.0f)), at({0, 0.3f, 1}));
   laden.bounds = plain.bounds;
@@ -132,7 +132,7 @@ TEST(needs, glass_that_cannot_be_seen_is_not_drawn) {
 
 // A renderer that is set to another frame draws it as a new one does, and makes nothing anew for a frame of the same kind.
 TEST(needs, a_frame_that_is_set_is_the_frame_that_is_made) {
-  scene::Scene scene = company();
+  scene::Scene scene = neighbours();
   const auto desc = [](int width, const glm::vec3& eye, frame::Method method) {
     return frame::FrameDesc{
         .width = width, .height = size, .samples = 2, .camera = camera_at(eye), .method = method};

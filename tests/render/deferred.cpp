@@ -83,8 +83,8 @@ scene::Scene bowl(scene::Material material) {
 
 } // namespace
 
-// Depth and normals lose no more than rounding. What falls beside an edge of what is seen falls to its other side in few pixels, and
-// at silhouettes the share that a neighbour takes of a lobe turns with the rounding of the normal.
+// Depth and normals lose no more than rounding. What falls beside an edge of what is seen falls to its other side in few pixels,
+// and at silhouettes the share that a neighbour takes of a lobe turns with the rounding of the normal.
 TEST_P(Render, opaque_surfaces_are_the_same_by_their_pixels_and_by_their_triangles) {
   scene::Scene scene = crowd();
   scene::Light lamp;

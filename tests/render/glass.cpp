@@ -258,8 +258,9 @@ TEST_P(Render, glass_hides_the_parts_of_a_solid_drawn_later_that_stand_behind_it
   expect_same(draw(scene, {sky, desc}), draw(by_triangles(scene), {sky, desc}));
 }
 
-// The sky is bright behind the viewer alone: what is seen over the body, by alpha, is what `truth` of the same scene has (64 samples,
-// a noise of .001). Without what wanders the head has .057 and .027, and the ball .043 and .029. It is a model: within three tenths.
+// The sky is bright behind the viewer alone: what is seen over the body, by alpha, is what `truth` of the same scene has (64
+// samples, a noise of .001). Without diffuse internal scattering the head has .057 and .027, and the ball .043 and .029. It is a
+// model: within three tenths.
 TEST_P(Render, light_that_loses_its_way_in_glass_comes_from_behind_the_viewer_too) {
   const auto sky =
       environment_of(64, [](glm::dvec3 d) { return glm::dvec3(d.z > 0.0 ? 1.0 : 0.0); });
@@ -367,7 +368,7 @@ TEST_P(Render, a_smooth_thin_wall_shows_the_pixel_behind_it) {
 }
 
 // Under a bright disc of 20 degrees about the camera's own direction, and nothing else: what both faces reflect, sharp.
-TEST_P(Render, what_the_far_face_throws_back_leaves_by_the_near_one_as_sharp_as_it_is) {
+TEST_P(Render, light_reflected_at_the_far_face_leaves_by_the_near_one_unblurred) {
   const auto disc = environment_of(512, [](const glm::dvec3& d) {
     return glm::dvec3(d.z > std::cos(glm::radians(20.0)) ? 1.0 : 0.0);
   });

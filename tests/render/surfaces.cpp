@@ -348,7 +348,7 @@ TEST_P(Render, metal_shows_the_glass_about_it) {
 }
 
 // Metal is shaded once more where there is something to reflect: not over what lies before it.
-TEST_P(Render, a_veil_stays_over_metal_that_has_company) {
+TEST_P(Render, a_veil_stays_over_metal_that_has_neighbours) {
   scene::Material veil = unlit(glm::vec3(0.0f));
   veil.alpha_mode = scene::AlphaMode::blend;
   veil.base_color.a = 0.75f;

@@ -1,4 +1,4 @@
-// Do two pictures agree? For tests of any room that makes pictures.
+// Do two pictures agree? For tests of any module that makes pictures.
 #pragma once
 
 #include "image/image.h"

@@ -15,35 +15,35 @@ const Training& maps() {
 }
 
 void print(const char* what, const Model& model, const Scores& s) {
-  std::printf("    %-20s %-10s standard %.3f  fis32 %.3f  taps", name(model).c_str(), what,
+  std::printf("    %-20s %-10s standard %.3f  fis32 %.3f  gaussians", name(model).c_str(), what,
               s.rms("standard"), s.rms("fis32"));
-  for (int k = 1; k <= taps_of(model); ++k)
-    std::printf(" %.3f", s.rms("taps" + std::to_string(k)));
+  for (int k = 1; k <= lobes_of(model); ++k)
+    std::printf(" %.3f", s.rms("lobes" + std::to_string(k)));
   std::printf("\n");
 }
 
-TEST(taps, are_nearer_to_reflection_than_the_split_sum) {
+TEST(gaussians, are_nearer_to_reflection_than_the_split_sum) {
   for (const Model& model : models) {
     const Scores s = score(maps(), model, Side::reflection, short_sweep());
     print("reflected", model, s);
     // One Gaussian has not the far tail that GGX has, and its prefiltered map with it.
-    EXPECT_GT(s.gain("taps1"), 1.05) << name(model);
-    EXPECT_GT(s.gain("taps2"), 2.2) << name(model);
+    EXPECT_GT(s.gain("lobes1"), 1.05) << name(model);
+    EXPECT_GT(s.gain("lobes2"), 2.2) << name(model);
   }
 }
 
-TEST(taps, are_nearer_to_transmission_than_roughness_scaled_by_index) {
+TEST(gaussians, are_nearer_to_transmission_than_roughness_scaled_by_index) {
   for (const Model& model : models)
     for (Side side : {Side::entering, Side::leaving}) {
       const Scores s = score(maps(), model, side, short_sweep());
       print(side == Side::entering ? "entering" : "leaving", model, s);
-      EXPECT_GT(s.gain("taps1"), 2.0) << name(model);
-      EXPECT_GT(s.gain("taps2"), 3.0) << name(model);
+      EXPECT_GT(s.gain("lobes1"), 2.0) << name(model);
+      EXPECT_GT(s.gain("lobes2"), 3.0) << name(model);
     }
 }
 
-// A dielectric's edge leans its lobe towards grazing facets: the metal's tap is another.
-TEST(taps, of_reflection_need_their_axis_for_the_fresnel_edge) {
+// A dielectric's edge leans its lobe towards grazing facets: the metal's gaussian is another.
+TEST(gaussians, of_reflection_need_their_axis_for_the_fresnel_edge) {
   constexpr double edge = 0.5;
   double own = 0.0, metal = 0.0;
   for (double alpha : {0.1, 0.35, 0.8})
@@ -70,8 +70,8 @@ TEST(taps, of_reflection_need_their_axis_for_the_fresnel_edge) {
       own += error(edge) * error(edge);
       metal += error(0.0) * error(0.0);
     }
-  std::printf("    half from the edge: one tap %.3f  the metal's tap %.3f\n", std::sqrt(own / 12),
-              std::sqrt(metal / 12));
+  std::printf("    half from the edge: one gaussian %.3f  the metal's gaussian %.3f\n",
+              std::sqrt(own / 12), std::sqrt(metal / 12));
   EXPECT_LT(own, metal);
 }
 

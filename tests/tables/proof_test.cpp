@@ -24,7 +24,7 @@ const std::vector<ProofRow>& rows() {
   return all;
 }
 
-TEST(proof, taps_are_several_times_nearer_than_standard_practice) {
+TEST(proof, lobes_are_several_times_nearer_than_standard_practice) {
   std::printf("%s", proof_table(rows()).c_str());
   for (const ProofRow& row : rows()) {
     if (row.model.distribution != Distribution::ggx || row.model.smith != Smith::separable)
@@ -32,14 +32,14 @@ TEST(proof, taps_are_several_times_nearer_than_standard_practice) {
     const Scores& s = row.scores;
     // 2, 4 and 6 times nearer were wanted: entering and leaving are. Reflection is not, as peers' single read is GGX's own lobe
     // at normal incidence, tail and horizon included, and no few Gaussians are. Beyond the critical angle what
-    // leaves at grazing angles is a band along the horizon, across the plane that taps lie in.
+    // leaves at grazing angles is a band along the horizon, across the plane that gaussians lie in.
     const std::array<double, 3> least = row.side == Side::reflection ? std::array{1.3, 2.6, 3.9}
                                         : row.lobes == "entering" || row.lobes == "leaving"
                                             ? std::array{2.0, 4.0, 6.0}
                                             : std::array{2.5, 2.5, 2.5};
-    EXPECT_GE(s.gain("taps1"), least[0]) << row.lobes;
-    EXPECT_GE(s.gain("taps2"), least[1]) << row.lobes;
-    EXPECT_GE(s.gain("taps4"), least[2]) << row.lobes;
+    EXPECT_GE(s.gain("lobes1"), least[0]) << row.lobes;
+    EXPECT_GE(s.gain("lobes2"), least[1]) << row.lobes;
+    EXPECT_GE(s.gain("lobes4"), least[2]) << row.lobes;
   }
 }
 
@@ -59,21 +59,21 @@ double as_half(double x) {
   return static_cast<double>(glm::unpackHalf1x16(glm::packHalf1x16(static_cast<float>(x))));
 }
 
-// The same taps as files keep them.
-TapSet rounded(const TapSet& taps, const GridCell& cell) {
-  TapSet result;
-  for (const Gaussian& g : taps)
+// The same gaussians as files keep them.
+GaussianSum rounded(const GaussianSum& gaussians, const GridCell& cell) {
+  GaussianSum result;
+  for (const Gaussian& g : gaussians)
     result.push_back({cell.centre + cell.unit * as_half((g.angle - cell.centre) / cell.unit),
                       cell.unit * as_half(g.sigma / cell.unit), as_half(g.weight)});
   return result;
 }
 
 TEST(proof, half_floats_change_no_lobe) {
-  constexpr double tolerance = 1e-3; // of log error, where taps leave .02 and more
+  constexpr double tolerance = 1e-3; // of log error, where gaussians leave .02 and more
   double most = 0.0;
   const auto judge = [&](const GridCell& cell) {
-    for (int taps : {1, 2, 4}) {
-      const TapSet fitted = fit_from_scratch(views(), cell.target, taps, 20).taps;
+    for (int gaussians : {1, 2, 4}) {
+      const GaussianSum fitted = fit_from_scratch(views(), cell.target, gaussians, 20).gaussians;
       const double change = log_error(views(), cell.target, rounded(fitted, cell))
                             - log_error(views(), cell.target, fitted);
       most = std::max(most, std::abs(change));
@@ -87,12 +87,12 @@ TEST(proof, half_floats_change_no_lobe) {
   EXPECT_LT(most, tolerance);
 }
 
-TapSet reflected_taps(int taps, double cos_theta, double alpha) {
+GaussianSum reflected_lobes(int gaussians, double cos_theta, double alpha) {
   namespace f64 = gg::glsl::f64;
   const f64::vec3 n(0, 0, 1), mirror(-std::sqrt(1.0 - cos_theta * cos_theta), 0.0, cos_theta);
-  TapSet set;
-  for (int k = 0; k < taps; ++k) {
-    const auto t = reflection_texel_at(models[0], k, taps, cos_theta, alpha, 0.0);
+  GaussianSum set;
+  for (int k = 0; k < gaussians; ++k) {
+    const auto t = reflection_texel_at(models[0], k, gaussians, cos_theta, alpha, 0.0);
     const f64::vec3 d = f64::lobeDirection(mirror, n, t[0]);
     set.push_back({std::atan2(-d.x, d.z), t[1] * alpha, t[2]});
   }
@@ -101,7 +101,7 @@ TapSet reflected_taps(int taps, double cos_theta, double alpha) {
 
 // At the nodes and half-way between them along both axes, beside a fit at that very place.
 TEST(proof, reflection_is_fitted_again_as_well_and_loses_little_between_nodes) {
-  for (int taps : {1, 2, 4})
+  for (int gaussians : {1, 2, 4})
     for (double off : {0.0, 0.5}) {
       double table_squares = 0.0, fit_squares = 0.0;
       for (const Node& n : reflected_nodes) {
@@ -113,12 +113,13 @@ TEST(proof, reflection_is_fitted_again_as_well_and_loses_little_between_nodes) {
         for (const LobeSample& s : lobe)
           weights.push_back(s.weight);
         const FitTarget target = fit_target(views(), lobe, weights, false);
-        table_squares += std::pow(log_error(views(), target, reflected_taps(taps, c, alpha)), 2.0);
-        fit_squares += std::pow(fit_from_scratch(views(), target, taps, 40).error, 2.0);
+        table_squares +=
+            std::pow(log_error(views(), target, reflected_lobes(gaussians, c, alpha)), 2.0);
+        fit_squares += std::pow(fit_from_scratch(views(), target, gaussians, 40).error, 2.0);
       }
       const double count = std::size(reflected_nodes), table = std::sqrt(table_squares / count),
                    here = std::sqrt(fit_squares / count);
-      std::printf("    %d taps %s: from the table %.4f, fitted there %.4f\n", taps,
+      std::printf("    %d gaussians %s: from the table %.4f, fitted there %.4f\n", gaussians,
                   off > 0.0 ? "between nodes" : "at nodes", table, here);
       EXPECT_LT(table, 1.1 * here + 0.005);
     }

@@ -60,14 +60,15 @@ TEST(stored_tables, interface_energies_are_made_again_to_the_last_half_bit) {
 TEST(stored_tables, are_all_there_and_small) {
   std::uintmax_t files = 0, memory = 0;
   for (const Model& model : models)
-    for (int taps = 1; taps <= taps_of(model); ++taps) {
-      memory += read_reflection_lobes(directory(), model, taps).texels.size() * 2;
-      memory += read_interface_lobes(directory(), model, taps).texels.size() * 2;
+    for (int lobes = 1; lobes <= lobes_of(model); ++lobes) {
+      memory += read_reflection_lobes(directory(), model, lobes).texels.size() * 2;
+      memory += read_interface_lobes(directory(), model, lobes).texels.size() * 2;
     }
   for (const auto& entry : std::filesystem::directory_iterator(directory()))
     files += entry.file_size();
-  std::printf("    %.2f MB of files; lobes of all models and numbers of taps %.2f MB on a device\n",
-              static_cast<double>(files) * 1e-6, static_cast<double>(memory) * 1e-6);
+  std::printf(
+      "    %.2f MB of files; lobes of all models and numbers of lobes %.2f MB on a device\n",
+      static_cast<double>(files) * 1e-6, static_cast<double>(memory) * 1e-6);
   EXPECT_LT(files, 6000000u);
 }
 

@@ -16,17 +16,17 @@ namespace {
 namespace f64 = gg::glsl::f64;
 constexpr double degree = 0.017453292519943295;
 
-f64::vec4 texel(const ThinWallTable& table, int tap, double c, double alpha, double eta) {
-  const int taps = std::max(table.taps, 1);
-  const f64::vec3 u = f64::thinWallCoordinate(tap, taps, c, alpha, eta);
+f64::vec4 texel(const ThinWallTable& table, int lobe, double c, double alpha, double eta) {
+  const int lobes = std::max(table.lobes, 1);
+  const f64::vec3 u = f64::thinWallCoordinate(lobe, lobes, c, alpha, eta);
   const auto t = lookup<3>(
-      table.texels, {f64::THIN_WALL_COSINES, f64::THIN_WALL_ALPHAS * taps, f64::THIN_WALL_SLICES},
+      table.texels, {f64::THIN_WALL_COSINES, f64::THIN_WALL_ALPHAS * lobes, f64::THIN_WALL_SLICES},
       {u.x, u.y, u.z});
   return {t[0], t[1], t[2], t[3]};
 }
 
-ThinWallTable stored(const Model& model, int taps) {
-  return read_thin_wall(home_directory() / "assets" / "tables", model, taps);
+ThinWallTable stored(const Model& model, int lobes) {
+  return read_thin_wall(home_directory() / "assets" / "tables", model, lobes);
 }
 
 TEST(thin_wall, smooth_panes_pass_what_all_orders_of_reflection_leave) {
@@ -93,20 +93,20 @@ TEST(thin_wall, what_comes_back_from_within_is_as_much_wider_than_the_mirrors_lo
 
 TEST(thin_wall, lobes_go_straight_on_and_are_as_wide_as_both_faces) {
   for (const Model& model : models)
-    for (int taps = 1; taps <= most_wall_taps; ++taps) {
-      const ThinWallTable table = stored(model, taps);
+    for (int lobes = 1; lobes <= most_wall_lobes; ++lobes) {
+      const ThinWallTable table = stored(model, lobes);
       for (double angle : {0.0, 40.0}) {
         const double c = std::cos(angle * degree);
         double weights = 0.0, mean = 0.0, narrowest = 1.0;
-        for (int k = 0; k < taps; ++k) {
-          const auto tap = f64::thinWallTap(texel(table, k, c, 0.03, 1.5), c, 0.03, 1.5);
-          narrowest = std::min(narrowest, tap.sigma);
-          mean += tap.weight * tap.angle;
-          EXPECT_GT(tap.sigma, 0.3 * f64::thinWallWidth(c, 0.03, 1.5));
-          EXPECT_LT(tap.sigma, 12.0 * f64::thinWallWidth(c, 0.03, 1.5));
-          weights += tap.weight;
+        for (int k = 0; k < lobes; ++k) {
+          const auto lobe = f64::thinWallLobe(texel(table, k, c, 0.03, 1.5), c, 0.03, 1.5);
+          narrowest = std::min(narrowest, lobe.sigma);
+          mean += lobe.weight * lobe.angle;
+          EXPECT_GT(lobe.sigma, 0.3 * f64::thinWallWidth(c, 0.03, 1.5));
+          EXPECT_LT(lobe.sigma, 12.0 * f64::thinWallWidth(c, 0.03, 1.5));
+          weights += lobe.weight;
         }
-        // Lobes without a tail are two taps side by side, as they are longer in the plane of incidence than across it.
+        // Lobes without a tail are two lobes side by side, as they are longer in the plane of incidence than across it.
         EXPECT_NEAR(mean, angle * degree, 0.5 * narrowest) << angle;
         EXPECT_NEAR(weights, 1.0, 2e-3);
       }

@@ -24,7 +24,7 @@ struct Solid {
 
 bool is_split(const needs::Draw& draw) {
   const auto method = static_cast<needs::Method>(value_of(draw.key, needs::Feature::method));
-  return needs::taps_of(method) > 0 && value_of(draw.key, needs::Feature::dispersion) == 0
+  return needs::lobes_of(method) > 0 && value_of(draw.key, needs::Feature::dispersion) == 0
          && draw.material->alpha_mode == scene::AlphaMode::opaque
          && draw.material->transmission == 1.0f && draw.material->metallic <= 0.0f;
 }
@@ -128,7 +128,7 @@ public:
                                const DepthOutput& depth) {
       add(label, fragment, inputs(std::move(reads)), {{"", color}}, gpu::Blend::add, depth);
     };
-    add_light("glass bounced", "glass_bounced_region.frag",
+    add_light("glass internal reflection", "glass_reflected_inside_region.frag",
               {last_point_, last_face_, last_ray_, last_way_}, DepthOutput{goes_on_});
     add_light("glass reflection", "glass_reflection_region.frag", {weight_}, rate_.depth);
     add_light("glass residual", "glass_residual_region.frag",

@@ -10,7 +10,7 @@ namespace {
 
 bool is_wall(const needs::Draw& draw) {
   const auto of = [&](needs::Feature feature) { return value_of(draw.key, feature); };
-  return needs::taps_of(static_cast<needs::Method>(of(needs::Feature::method))) > 0
+  return needs::lobes_of(static_cast<needs::Method>(of(needs::Feature::method))) > 0
          && of(needs::Feature::transmission) == static_cast<int>(needs::Transmission::thin)
          && of(needs::Feature::dispersion) == 0 && !draw.is_straight();
 }

@@ -1,5 +1,5 @@
-// The Vulkan entry points that this library calls, found at run time: a machine without a Vulkan driver gets a message that says what
-// to install. (Dear ImGui calls the loader itself.)
+// The Vulkan entry points that this library calls, found at run time: a machine without a Vulkan driver gets a message that says
+// what to install. (Dear ImGui calls the loader itself.)
 #pragma once
 
 #define VK_NO_PROTOTYPES

@@ -1,4 +1,4 @@
-// How this room says that a file is wrong.
+// How the loader says that a file is wrong.
 #pragma once
 
 #include "core/error.h"

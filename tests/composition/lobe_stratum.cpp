@@ -1,4 +1,4 @@
-// A beam by its parts is the beam: what the samples of a pixel rely on.
+// A lobe by its parts is the lobe: what the samples of a pixel rely on.
 #include "glsl/f64.h"
 #include "uniforms/camera.h"
 
@@ -23,11 +23,11 @@ f64::vec3 asked(const dvec3& part) {
 
 } // namespace
 
-TEST(beam_part, parts_have_the_mean_and_the_variance_of_the_whole) {
+TEST(lobe_stratum, parts_have_the_mean_and_the_variance_of_the_whole) {
   for (const int count : counts) {
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, kept = 0.0;
     for (int i = 0; i < count; ++i) {
-      const dvec3 part = uniforms::beam_part(i, count);
+      const dvec3 part = uniforms::lobe_stratum(i, count);
       x += part.x / count;
       y += part.y / count;
       xx += part.x * part.x / count;
@@ -44,12 +44,12 @@ TEST(beam_part, parts_have_the_mean_and_the_variance_of_the_whole) {
   }
 }
 
-TEST(beam_part, one_sample_or_two_are_the_whole_beam) {
+TEST(lobe_stratum, one_sample_or_two_are_the_whole_lobe) {
   for (const int count : {1, 2})
     for (int i = 0; i < count; ++i)
-      EXPECT_EQ(uniforms::beam_part(i, count), dvec3(0, 0, 1)) << count;
+      EXPECT_EQ(uniforms::lobe_stratum(i, count), dvec3(0, 0, 1)) << count;
   const dvec3 direction = normalize(dvec3(0.3, -0.5, 0.8));
-  const auto whole = f64::beamPart(direction, 0.2, 0.1, 0.05, asked({0, 0, 1}));
+  const auto whole = f64::lobeStratum(direction, 0.2, 0.1, 0.05, asked({0, 0, 1}));
   EXPECT_NEAR(length(dvec3(whole.direction) - direction), 0.0, rounding);
   EXPECT_EQ(dvec3(whole.aside), dvec3(0.0));
   EXPECT_NEAR(whole.sigma, 0.2, rounding);
@@ -57,14 +57,14 @@ TEST(beam_part, one_sample_or_two_are_the_whole_beam) {
   EXPECT_NEAR(whole.carried, 0.05, rounding);
 }
 
-// Where light comes from at a distance: along each axis across the beam, the places of the parts' centres and the spread of each
-// about its own (beamVariance) make up the whole beam's spread, whatever came with it from the first face.
-TEST(beam_part, at_any_distance_the_spot_is_as_wide_as_that_of_the_whole) {
+// Where light comes from at a distance: along each axis across the lobe, the places of the parts' centres and the spread of each
+// about its own (lobeVariance) make up the whole lobe's spread, whatever came with it from the first face.
+TEST(lobe_stratum, at_any_distance_the_spot_is_as_wide_as_that_of_the_whole) {
   const dvec3 direction = normalize(dvec3(-0.2, 0.4, -0.9));
   const double sigma =
       1e-3; // so that the tangent plane is the sphere to a part in a hundred thousand
   const double flat = 1e-5;
-  const dvec3 side = f64::beamSide(direction), other = cross(direction, side);
+  const dvec3 side = f64::lobeSide(direction), other = cross(direction, side);
   for (const int count : counts)
     for (const double inner : {0.0, 4e-4, 2e-3})
       for (const double together : {-0.9, 0.0, 0.5, 1.0})
@@ -73,9 +73,9 @@ TEST(beam_part, at_any_distance_the_spot_is_as_wide_as_that_of_the_whole) {
             const double carried = inner > 0.0 ? together * sigma : 0.0;
             double along = 0.0, across = 0.0;
             for (int i = 0; i < count; ++i) {
-              const auto part = f64::beamPart(direction, sigma, inner, carried,
-                                              asked(uniforms::beam_part(i, count)));
-              // beamVariance takes a spread as one that grows: crossed rays are its business elsewhere.
+              const auto part = f64::lobeStratum(direction, sigma, inner, carried,
+                                                 asked(uniforms::lobe_stratum(i, count)));
+              // lobeVariance takes a spread as one that grows: crossed rays are its business elsewhere.
               const double offset = inside * part.inner, angle = outside * part.sigma;
               const double own =
                   angle * angle + 2.0 * offset * outside * part.carried + offset * offset;
@@ -96,13 +96,13 @@ TEST(beam_part, at_any_distance_the_spot_is_as_wide_as_that_of_the_whole) {
 }
 
 // Neighbours in the pixel must not be neighbours in the lobe: an edge that cuts the pixel would get a lobe of its own.
-TEST(beam_part, the_place_in_the_lobe_does_not_go_with_the_place_in_the_pixel) {
+TEST(lobe_stratum, the_place_in_the_lobe_does_not_go_with_the_place_in_the_pixel) {
   for (const int count : {16, 64, 256}) {
     double worst = 0.0;
     for (int axis = 0; axis < 2; ++axis) {
       double x = 0.0, y = 0.0, radius = 0.0, position = 0.0, rr = 0.0, pp = 0.0, rp = 0.0;
       for (int i = 0; i < count; ++i) {
-        const dvec3 part = uniforms::beam_part(i, count);
+        const dvec3 part = uniforms::lobe_stratum(i, count);
         const double at = uniforms::sample_position(i, count)[axis], r = std::hypot(part.x, part.y);
         x += part.x * at / count;
         y += part.y * at / count;

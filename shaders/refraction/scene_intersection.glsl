@@ -1,12 +1,12 @@
-// scene_meeting.glsl: where a ray meets the scene that the camera sees, by its depth.
+// scene_intersection.glsl: where a ray meets the scene that the camera sees, by its depth.
 // Frame    world, metres; pixels as engine.glsl.
 // alpha    none.
-// Returns  sceneMeeting: metres along the ray, and whether what is there is known. scenePixel: a place of the picture.
+// Returns  sceneIntersection: metres along the ray, and whether what is there is known. scenePixel: a place of the picture.
 // Source   depth to depth, then steps that are even on the screen, then secants.
 // Limits   what the camera does not see is not met: the picture's border is taken to go on beyond it. Perspective cameras only. At
 //          most 4 + 12 + 5 reads of depth.
-#ifndef GG_REFRACTION_SCENE_MEETING_GLSL
-#define GG_REFRACTION_SCENE_MEETING_GLSL
+#ifndef GG_REFRACTION_SCENE_INTERSECTION_GLSL
+#define GG_REFRACTION_SCENE_INTERSECTION_GLSL
 
 #include "refraction/engine.glsl"
 
@@ -18,7 +18,7 @@ struct SceneView {
   float reach; // metres beyond which there is nothing: the scene's extent
 };
 
-struct SceneMeeting {
+struct SceneIntersection {
   float metres; // along the ray; below 0: it meets nothing that is known
   bool seen;    // false: the environment stands in
 };
@@ -33,8 +33,8 @@ vec2 scenePixel(vec4 clip, vec2 size) {
 }
 
 // From depth to depth: what was read is taken for a plane across the view, and read again where the ray meets that.
-SceneMeeting sceneGuess(vec4 origin, vec4 along, SceneView view) {
-  SceneMeeting met;
+SceneIntersection sceneGuess(vec4 origin, vec4 along, SceneView view) {
+  SceneIntersection met;
   met.seen = false;
   met.metres = -1.0;
   vec2 at = scenePixel(origin, view.size);
@@ -62,13 +62,13 @@ float sceneShown(vec4 origin, vec4 way) {
 }
 
 // Even steps on the screen are even in 1 / w. Height: how much nearer the ray is than the scene, in 1 / w.
-SceneMeeting sceneMarch(vec4 origin, vec4 along, SceneView view) {
+SceneIntersection sceneMarch(vec4 origin, vec4 along, SceneView view) {
   vec4 way = view.reach * along;
   float end = sceneShown(origin, way);
   vec4 to = origin + end * way;
   vec3 a = vec3(origin.x, origin.y, 1.0) / origin.w;
   vec3 b = vec3(to.x, to.y, 1.0) / to.w;
-  SceneMeeting met;
+  SceneIntersection met;
   met.seen = false;
   met.metres = -1.0;
   float low = 0.0;
@@ -117,10 +117,10 @@ SceneMeeting sceneMarch(vec4 origin, vec4 along, SceneView view) {
   return met;
 }
 
-SceneMeeting sceneMeeting(vec3 origin, vec3 direction, SceneView view) {
+SceneIntersection sceneIntersection(vec3 origin, vec3 direction, SceneView view) {
   vec4 from = view.clipFromWorld * vec4(origin, 1.0);
   vec4 along = view.clipFromWorld * vec4(direction, 0.0);
-  SceneMeeting met = sceneGuess(from, along, view);
+  SceneIntersection met = sceneGuess(from, along, view);
   if (!met.seen) met = sceneMarch(from, along, view);
   return met;
 }

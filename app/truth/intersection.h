@@ -1,4 +1,4 @@
-// A path of light on its way from the camera, and its meeting with a surface.
+// A path of light on its way from the camera, and its intersection with a surface.
 #pragma once
 
 #include "truth/crossing.h"
@@ -33,7 +33,7 @@ struct Path {
 
 // A path at a surface. A thin wall is two interfaces at one place; the path goes on between them
 // until it leaves.
-struct Meeting {
+struct Intersection {
   enum class Face {
     first, // where the path came from; the only one, except in a wall
     far,   // the wall's other interface, from inside

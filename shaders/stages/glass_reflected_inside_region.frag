@@ -1,4 +1,4 @@
-// glass_bounced_region.frag: glass_bounced.glsl by region.
+// glass_reflected_inside_region.frag: glass_reflected_inside.glsl by region.
 #version 450
 #include "interface/frame.glsl"
 #include "interface/instance.glsl"
@@ -6,9 +6,9 @@
 #include "interface/material.glsl"
 #include "stages/material_features.glsl"
 #include "stages/region_surface.glsl"
-#include "stages/glass_bounced.glsl"
+#include "stages/glass_reflected_inside.glsl"
 #include "stages/region_read.glsl"
 
 void main() {
-    writeBounced(readRegion());
+    writeReflectedInside(readRegion());
 }

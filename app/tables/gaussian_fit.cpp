@@ -1,4 +1,4 @@
-#include "tables/tap_fit.h"
+#include "tables/gaussian_fit.h"
 
 #include <algorithm>
 #include <array>
@@ -11,16 +11,16 @@ namespace gg::tables {
 namespace {
 
 // Angles, ln sigma, and the logits of all weights but the first's.
-constexpr int most_parameters = 3 * most_taps - 1;
+constexpr int most_parameters = 3 * most_lobes - 1;
 using Parameters = std::array<double, most_parameters>;
 using Rows = std::vector<float>; // a number per view
 
 // Steps of the derivatives, in widths and in ln sigma: wide ones, as bilinear lookups are only piecewise smooth.
 constexpr double angle_step = 0.05, log_step = 0.05;
-// Squared log error per squared parameter: moving a tap by a third of the width to please a neighbour may cost 1e-5, half a
-// per cent of what two taps leave.
+// Squared log error per squared parameter: moving a Gaussian by a third of the width to please a neighbour may cost 1e-5, half a
+// per cent of what two Gaussians leave.
 constexpr double pull = 1e-4;
-// Beyond a weight of 1 in 50 a tap has nothing left to say, and no place that is better than another.
+// Beyond a weight of 1 in 50 a Gaussian has nothing left to say, and no place that is better than another.
 constexpr double greatest_logit = 4.0;
 
 // ln of a positive normal number, good to a float's rounding: x = 2^e m with m between the roots of 1/2 and 2, and
@@ -50,18 +50,19 @@ float dot(const Rows& a, const Rows& b) {
 
 class Problem {
 public:
-  Problem(const FitViews& views, const FitTarget& target, int taps)
-      : views_(views), target_(target), taps_(taps), n_(static_cast<std::size_t>(views.count())),
-        reads_(static_cast<std::size_t>(taps), Rows(n_)) {}
+  Problem(const FitViews& views, const FitTarget& target, int gaussians)
+      : views_(views), target_(target), gaussians_(gaussians),
+        n_(static_cast<std::size_t>(views.count())),
+        reads_(static_cast<std::size_t>(gaussians), Rows(n_)) {}
 
-  int parameters() const { return 3 * taps_ - 1; }
+  int parameters() const { return 3 * gaussians_ - 1; }
   int angle(int k) const { return k; }
-  int width(int k) const { return taps_ + k; }
-  int logit(int k) const { return 2 * taps_ + k - 1; } // k >= 1
+  int width(int k) const { return gaussians_ + k; }
+  int logit(int k) const { return 2 * gaussians_ + k - 1; } // k >= 1
 
   Parameters from(std::span<const Gaussian> set) const {
     Parameters p{};
-    for (int k = 0; k < taps_; ++k) {
+    for (int k = 0; k < gaussians_; ++k) {
       const Gaussian& g = set[static_cast<std::size_t>(k)];
       at(p, angle(k)) = (g.angle - target_.lens.angle) / target_.width;
       at(p, width(k)) = std::log(g.sigma / target_.width);
@@ -70,10 +71,10 @@ public:
     return limited(p);
   }
 
-  TapSet set(const Parameters& p) const {
-    TapSet set;
-    const std::array<double, most_taps> w = weights(p);
-    for (int k = 0; k < taps_; ++k)
+  GaussianSum set(const Parameters& p) const {
+    GaussianSum set;
+    const std::array<double, most_lobes> w = weights(p);
+    for (int k = 0; k < gaussians_; ++k)
       set.push_back({target_.lens.angle + at(p, angle(k)) * target_.width,
                      std::exp(at(p, width(k))) * target_.width, w[static_cast<std::size_t>(k)]});
     return set;
@@ -84,7 +85,7 @@ public:
     constexpr double farthest = 0.5 * std::numbers::pi + 0.5;
     const double widest =
         std::log(FitViews::greatest_sigma / (target_.width * target_.lens.magnification));
-    for (int k = 0; k < taps_; ++k) {
+    for (int k = 0; k < gaussians_; ++k) {
       double& a = at(p, angle(k));
       a = target_.symmetric
               ? -target_.lens.angle / target_.width
@@ -100,9 +101,9 @@ public:
 
   // Of every view; keeps the reads for derivatives().
   double residuals(const Parameters& p, Rows& r) {
-    const std::array<double, most_taps> w = weights(p);
+    const std::array<double, most_lobes> w = weights(p);
     sum_.assign(n_, 0.0f);
-    for (int k = 0; k < taps_; ++k) {
+    for (int k = 0; k < gaussians_; ++k) {
       Rows& read = reads_[static_cast<std::size_t>(k)];
       look(at(p, angle(k)), at(p, width(k)), read);
       const auto weight = static_cast<float>(w[static_cast<std::size_t>(k)]);
@@ -119,7 +120,7 @@ public:
 
   // At the p that residuals() was last called with.
   void derivatives(const Parameters& p, std::vector<Rows>& columns) {
-    const std::array<double, most_taps> w = weights(p);
+    const std::array<double, most_lobes> w = weights(p);
     columns.resize(static_cast<std::size_t>(parameters()));
     Rows moved(n_);
     const auto column = [&](int i) -> Rows& {
@@ -132,7 +133,7 @@ public:
       for (std::size_t v = 0; v < n_; ++v)
         c[v] = f * (moved[v] - read[v]) / (sum_[v] + views_.floors()[v]);
     };
-    for (int k = 0; k < taps_; ++k) {
+    for (int k = 0; k < gaussians_; ++k) {
       const double weight = w[static_cast<std::size_t>(k)];
       const Rows& read = reads_[static_cast<std::size_t>(k)];
       Rows& turned = column(angle(k));
@@ -154,10 +155,10 @@ private:
   static double& at(Parameters& p, int i) { return p[static_cast<std::size_t>(i)]; }
   static double at(const Parameters& p, int i) { return p[static_cast<std::size_t>(i)]; }
 
-  std::array<double, most_taps> weights(const Parameters& p) const {
-    std::array<double, most_taps> w{};
+  std::array<double, most_lobes> weights(const Parameters& p) const {
+    std::array<double, most_lobes> w{};
     double sum = 0.0;
-    for (int k = 0; k < taps_; ++k)
+    for (int k = 0; k < gaussians_; ++k)
       sum += w[static_cast<std::size_t>(k)] = k == 0 ? 1.0 : std::exp(at(p, logit(k)));
     for (double& x : w)
       x /= sum;
@@ -170,7 +171,7 @@ private:
 
   const FitViews& views_;
   const FitTarget& target_;
-  int taps_;
+  int gaussians_;
   std::size_t n_;
   std::vector<Rows> reads_;
   Rows sum_;
@@ -218,14 +219,14 @@ FitTarget fit_target(const FitViews& views, const std::vector<LobeSample>& lobe,
   return target;
 }
 
-double log_error(const FitViews& views, const FitTarget& target, const TapSet& taps) {
-  Problem problem(views, target, static_cast<int>(taps.size()));
+double log_error(const FitViews& views, const FitTarget& target, const GaussianSum& gaussians) {
+  Problem problem(views, target, static_cast<int>(gaussians.size()));
   Rows r;
-  return std::sqrt(problem.residuals(problem.from(taps), r));
+  return std::sqrt(problem.residuals(problem.from(gaussians), r));
 }
 
-FitResult fit(const FitViews& views, const FitTarget& target, const TapSet& start, int iterations,
-              std::span<const Gaussian> towards) {
+FitResult fit(const FitViews& views, const FitTarget& target, const GaussianSum& start,
+              int iterations, std::span<const Gaussian> towards) {
   Problem problem(views, target, static_cast<int>(start.size()));
   const auto n = static_cast<std::size_t>(problem.parameters());
   const bool pulled = !towards.empty();
@@ -278,10 +279,10 @@ FitResult fit(const FitViews& views, const FitTarget& target, const TapSet& star
   return {problem.set(p), std::sqrt(error), cost};
 }
 
-FitResult fit_from_scratch(const FitViews& views, const FitTarget& target, int taps,
+FitResult fit_from_scratch(const FitViews& views, const FitTarget& target, int gaussians,
                            int iterations) {
   // {angle, sigma, weight} in widths: a core with tails about it, a row along the plane of incidence, a row with a tail.
-  static const std::vector<TapSet> starts[most_taps] = {
+  static const std::vector<GaussianSum> starts[most_lobes] = {
       {{{0, 0.8, 1}}},
       {{{0, 0.5, 0.6}, {0, 1.5, 0.4}}, {{-0.4, 0.6, 0.5}, {0.6, 0.8, 0.5}}},
       {{{0, 0.4, 0.4}, {0, 0.8, 0.4}, {0, 2.0, 0.2}},
@@ -292,7 +293,7 @@ FitResult fit_from_scratch(const FitViews& views, const FitTarget& target, int t
        {{-0.5, 0.3, 0.3}, {0.2, 0.35, 0.3}, {1.0, 0.7, 0.25}, {0, 2.4, 0.15}}}};
   FitResult best;
   best.error = 1e300;
-  for (TapSet start : starts[taps - 1]) {
+  for (GaussianSum start : starts[gaussians - 1]) {
     for (Gaussian& g : start) {
       g.angle = target.lens.angle + g.angle * target.width;
       g.sigma *= target.width;

@@ -1,0 +1,68 @@
+// weighted_lobes.glsl: the lobes that glass sends, and what they are made of.
+// Frame    world, metres; directions unit.
+// Needs    stages/surface.glsl, stages/surroundings.glsl, stages/environment_light.glsl.
+#include "refraction/composition_fetch.glsl"
+
+struct WeightedLobe {
+    LobeRay lobe;
+    vec3 weight; // 0: it is not there
+};
+
+// What one pixel of glass sends, besides its reflection. The first two leave at one place and meet the same thing.
+struct GlassLobes {
+    WeightedLobe core;
+    WeightedLobe rest;
+    WeightedLobe reflectedInside;  // leaves after total reflection
+    WeightedLobe residual;
+    ExitSurface leaving; // where the first two leave, by which ray from within
+    vec3 inner;
+    float within; // metres to something opaque inside that ends the core; negative: none
+};
+
+// The glass's own reflection.
+struct MirrorLobes {
+    WeightedLobe core;
+    WeightedLobe rest; // not there where the lobe's table has one lobe
+};
+
+WeightedLobe weighted(ComposedLobe lobe, vec3 origin, float inside, vec3 weight) {
+    WeightedLobe w;
+    w.lobe = lobeRay(origin, lobe.direction, lobe.sigma);
+    w.lobe.inner = lobe.inner;
+    w.lobe.carried = lobe.carried;
+    w.lobe.inside = inside;
+    w.weight = lobe.weight * weight;
+    return w;
+}
+
+WeightedLobe noLobe(vec3 origin, vec3 direction) {
+    WeightedLobe w;
+    w.lobe = lobeRay(origin, direction, 0.0);
+    w.weight = vec3(0.0);
+    return w;
+}
+
+MirrorLobes noMirror(Surface s) {
+    MirrorLobes mirror;
+    mirror.core = noLobe(s.position, s.n);
+    mirror.rest = mirror.core;
+    return mirror;
+}
+
+WeightedLobe mirrorLobe(Surface s, EnvironmentLight light, ReflectionLobe lobe) {
+    WeightedLobe w;
+    w.lobe = lobeRay(s.position, lobe.direction, lobe.sigma);
+    w.lobe.turn = s.turn;
+    w.weight = light.weight * lobe.weight;
+    return w;
+}
+
+vec3 farLobe(WeightedLobe w) { return w.weight * farRadiance(w.lobe.direction, seenSigma(w.lobe)); }
+
+vec3 farMirror(MirrorLobes mirror) {
+    vec3 sum = farLobe(mirror.core);
+    if (lobeCount > 1) sum += farLobe(mirror.rest);
+    return sum;
+}
+
+float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
