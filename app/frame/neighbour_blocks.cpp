@@ -14,13 +14,7 @@ using scene::Material;
 
 constexpr int mean_across = 64; // pixels of a map along each side that stand for all
 
-// Of the colours that a map holds, linear; white where there is none.
-glm::vec3 mean_of(const scene::Scene& scene, const scene::Slot& slot, bool srgb) {
-  if (!slot) return glm::vec3(1.0f);
-  const scene::Index index = scene.textures[static_cast<std::size_t>(slot.texture)].image;
-  if (index == scene::none || !scene.images[static_cast<std::size_t>(index)])
-    return glm::vec3(1.0f);
-  const image::Image8& image = *scene.images[static_cast<std::size_t>(index)];
+glm::vec3 mean_of(const image::Image8& image, bool srgb) {
   glm::dvec3 sum(0.0);
   for (int y = 0; y < mean_across; ++y)
     for (int x = 0; x < mean_across; ++x) {
@@ -37,6 +31,22 @@ glm::vec3 mean_of(const scene::Scene& scene, const scene::Slot& slot, bool srgb)
   return glm::vec3(sum / static_cast<double>(mean_across * mean_across));
 }
 
+struct Maps {
+  const scene::Scene& scene;
+  ImageMeans& means;
+
+  // Of the colours that a map holds, linear; white where there is none.
+  glm::vec3 mean(const scene::Slot& slot, bool srgb) const {
+    if (!slot) return glm::vec3(1.0f);
+    const scene::Index index = scene.textures[static_cast<std::size_t>(slot.texture)].image;
+    if (index == scene::none || !scene.images[static_cast<std::size_t>(index)])
+      return glm::vec3(1.0f);
+    const auto [mean, is_new] = means.try_emplace({index, srgb});
+    if (is_new) mean->second = mean_of(*scene.images[static_cast<std::size_t>(index)], srgb);
+    return mean->second;
+  }
+};
+
 glm::vec3 conductor_f0(const scene::Conductor& conductor) {
   glm::vec3 f0;
   for (int c = 0; c < 3; ++c)
@@ -46,14 +56,14 @@ glm::vec3 conductor_f0(const scene::Conductor& conductor) {
 }
 
 // The part of a proxy's block that its material fills.
-uniforms::NeighbourData block_of(const scene::Scene& scene, const Material& m) {
+uniforms::NeighbourData block_of(const Maps& maps, const Material& m) {
   uniforms::NeighbourData block{};
-  const glm::vec3 color = glm::vec3(m.base_color) * mean_of(scene, m.base_color_map, true);
+  const glm::vec3 color = glm::vec3(m.base_color) * maps.mean(m.base_color_map, true);
   if (m.unlit) {
     block.emission = glm::vec4(color, 0.0f);
     return block;
   }
-  const glm::vec3 surface = mean_of(scene, m.metallic_roughness_map, false);
+  const glm::vec3 surface = maps.mean(m.metallic_roughness_map, false);
   const float metallic = m.conductor ? 1.0f : m.metallic * surface.z;
   const float alpha =
       m.exact_alpha ? *m.exact_alpha : scene::microfacet_alpha(m) * surface.y * surface.y;
@@ -65,7 +75,7 @@ uniforms::NeighbourData block_of(const scene::Scene& scene, const Material& m) {
   const float transmitted = needs::is_refractive(m) ? m.transmission * (1.0f - metallic) : 0.0f;
   block.f0 = glm::vec4(f0, glm::mix(m.specular, 1.0f, metallic));
   block.base = glm::vec4((1.0f - metallic) * (1.0f - transmitted) * color, alpha);
-  block.emission = glm::vec4(m.emissive * mean_of(scene, m.emissive_map, true), 0.0f);
+  block.emission = glm::vec4(m.emissive * maps.mean(m.emissive_map, true), 0.0f);
   if (needs::is_refractive(m)) {
     block.emission.w = std::max(m.ior, 1.0f);
     // Scattering between rough facets keeps about this much back.
@@ -96,7 +106,9 @@ glm::vec3 absorbed(const Material& m, float metres) {
 
 } // namespace
 
-std::vector<uniforms::NeighboursData> neighbour_blocks(const needs::Needs& needs) {
+std::vector<uniforms::NeighboursData> neighbour_blocks(const needs::Needs& needs,
+                                                       ImageMeans& means) {
+  const Maps maps{*needs.scene, means};
   std::map<const Material*, uniforms::NeighbourData> materials;
   std::vector<uniforms::NeighboursData> blocks;
   for (const needs::Draw& draw : needs.draws.all) {
@@ -105,7 +117,7 @@ std::vector<uniforms::NeighboursData> neighbour_blocks(const needs::Needs& needs
     block.counts.x = static_cast<int>(draw.neighbours.size());
     if (draw.own_proxy) {
       const needs::Proxy& own = needs.proxies->all[*draw.own_proxy];
-      const uniforms::NeighbourData material = block_of(*needs.scene, *own.material);
+      const uniforms::NeighbourData material = block_of(maps, *own.material);
       uniforms::NeighbourData& body = block.each[needs::most_neighbours];
       body.centre = glm::vec4(own.centre, own.radius);
       body.sideU = glm::vec4(own.side_u, 0.0f);
@@ -116,7 +128,7 @@ std::vector<uniforms::NeighboursData> neighbour_blocks(const needs::Needs& needs
     for (std::size_t i = 0; i < draw.neighbours.size(); ++i) {
       const needs::Proxy& proxy = needs.proxies->all[draw.neighbours[i]];
       const auto [material, is_new] = materials.try_emplace(proxy.material);
-      if (is_new) material->second = block_of(*needs.scene, *proxy.material);
+      if (is_new) material->second = block_of(maps, *proxy.material);
       uniforms::NeighbourData& own = block.each[i] = material->second;
       own.centre = glm::vec4(proxy.centre, proxy.radius);
       own.sideU = glm::vec4(proxy.side_u, proxy.one_sided ? 1.0f : 0.0f);

@@ -33,8 +33,8 @@ public:
   void set(const FrameDesc& desc);
   void materials_changed() { scene_changed(), set(desc_); }
   // Before set(): the scene's instances and lights have been moved, or materials bound other volumes than before.
-  void forget_pipelines() { draws_.forget(); } // before set(): shaders have changed
   void scene_changed() { shapes_.scene_changed(); }
+  void forget_pipelines() { draws_.forget(); } // before set(): shaders have changed
 
   // Draws the frame. With `times`, adds what each pass took, summed over the samples, under its
   // label.

@@ -180,7 +180,7 @@ void UploadedScene::upload_blocks() {
   for (const needs::Draw& draw : needs_->draws.all)
     if (!draw.neighbours.empty()) neighbour_blocks_.emplace(&draw, neighbour_blocks_.size());
   if (!neighbour_blocks_.empty())
-    update_uniforms(device_, neighbours_, "neighbours", neighbour_blocks(*needs_));
+    update_uniforms(device_, neighbours_, "neighbours", neighbour_blocks(*needs_, image_means_));
 
   std::vector<uniforms::LightData> lights;
   for (const scene::Light& light : needs_->scene->lights)

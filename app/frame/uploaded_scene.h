@@ -1,6 +1,7 @@
 // A scene on the device: every stream, index list and image that its frame reads, once, whoever shares it.
 #pragma once
 
+#include "frame/neighbour_blocks.h"
 #include "frame/uniform_array.h"
 #include "gpu/device.h"
 #include "needs/needs.h"
@@ -48,6 +49,7 @@ private:
   std::map<scene::Index, gpu::BufferRef> streams_, indices_;
   UniformArray materials_, instances_, neighbours_;
   std::map<const needs::Draw*, std::size_t> neighbour_blocks_; // of draws that have neighbours
+  ImageMeans image_means_;
   gpu::BufferRef lights_;
   std::map<std::pair<scene::Index, bool>, gpu::TextureRef> images_; // by index, and whether sRGB
   std::map<scene::Index, gpu::SamplerRef> samplers_;                // by glTF texture

@@ -15,10 +15,6 @@ environment::Map directions() {
   return environment_of(1024, [](glm::dvec3 d) { return 0.5 + 0.5 * d; });
 }
 
-glm::dvec3 rgb(const image::Image& picture, int x, int y) {
-  return {picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
-}
-
 glm::dvec3 shown(const image::Image& picture, int x, int y) {
   return glm::normalize(2.0 * rgb(picture, x, y) - 1.0);
 }

@@ -57,4 +57,8 @@ std::optional<glm::dvec3> hit_ball(glm::dvec3 from, glm::dvec3 direction) {
   return from + (-b - std::sqrt(inside)) * direction;
 }
 
+glm::dvec3 rgb(const image::Image& picture, int x, int y) {
+  return {picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
+}
+
 } // namespace gg::test

@@ -46,4 +46,6 @@ glm::dvec3 view_direction(const scene::Camera& camera, int width, int height, do
 // it does.
 std::optional<glm::dvec3> hit_ball(glm::dvec3 from, glm::dvec3 direction);
 
+glm::dvec3 rgb(const image::Image& picture, int x, int y);
+
 } // namespace gg::test

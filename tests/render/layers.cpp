@@ -1,7 +1,6 @@
 // Coats over a surface, films on it, and brushing: against their formulas in double precision.
 #include "glsl/f64.h"
-#include "render/harness.h"
-#include "render/shapes.h"
+#include "render/head_on.h"
 
 #include <cmath>
 #include <numbers>
@@ -11,22 +10,9 @@ namespace {
 
 namespace f64 = glsl::f64;
 
-constexpr int size = 64;
+constexpr int size = head_on_size;
 // A dozen float32 operations on interpolated coordinates, and lobes that divide by alpha.
 constexpr double rounding = 1e-3;
-
-frame::FrameDesc head_on() {
-  return {.width = size, .height = size, .samples = 1, .camera = camera_at({0, 0, 2})};
-}
-
-glm::dvec3 on_square(int x, int y) {
-  const glm::dvec3 d = view_direction(head_on().camera, size, size, x, y);
-  return glm::dvec3(0, 0, 2) - d * (2.0 / d.z);
-}
-
-glm::dvec3 rgb(const image::Image& p, int x, int y) {
-  return {p.at(x, y, 0), p.at(x, y, 1), p.at(x, y, 2)};
-}
 
 const glm::dvec3 sun_from = glm::normalize(glm::dvec3(0.5, 0.2, 1.0));
 

@@ -1,7 +1,6 @@
 // Punctual lights against the formulas of KHR_lights_punctual and the BSDF in double precision.
 #include "glsl/f64.h"
-#include "render/harness.h"
-#include "render/shapes.h"
+#include "render/head_on.h"
 
 #include <cmath>
 #include <numbers>
@@ -11,20 +10,10 @@ namespace {
 
 namespace f64 = glsl::f64;
 
-constexpr int size = 64;
+constexpr int size = head_on_size;
 // Rounding: a dozen float32 operations of the shader on coordinates that were themselves
 // interpolated.
 constexpr double rounding = 2e-5;
-
-frame::FrameDesc head_on() {
-  return {.width = size, .height = size, .samples = 1, .camera = camera_at({0, 0, 2})};
-}
-
-// Where the pixel's centre meets the plane z = 0.
-glm::dvec3 on_square(int x, int y) {
-  const glm::dvec3 d = view_direction(head_on().camera, size, size, x, y);
-  return glm::dvec3(0, 0, 2) - d * (2.0 / d.z);
-}
 
 scene::Light light(scene::LightKind kind) {
   scene::Light l;

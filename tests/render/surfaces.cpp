@@ -1,7 +1,6 @@
 // What a material and its maps do to a surface, and which surfaces are seen.
 #include "needs/view.h"
-#include "render/harness.h"
-#include "render/shapes.h"
+#include "render/head_on.h"
 #include "support/pictures.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -11,17 +10,9 @@
 namespace gg::test {
 namespace {
 
-constexpr int size = 64;
+constexpr int size = head_on_size;
 constexpr float rounding = 1e-6f;
 constexpr float eight_bits = 0.5f / 255.0f;
-
-frame::FrameDesc head_on() {
-  return {.width = size, .height = size, .samples = 1, .camera = camera_at({0, 0, 2})};
-}
-
-glm::vec3 rgb(const image::Image& p, int x, int y) {
-  return {p.at(x, y, 0), p.at(x, y, 1), p.at(x, y, 2)};
-}
 
 glm::vec3 centre(const image::Image& p) {
   return rgb(p, size / 2, size / 2);
@@ -211,7 +202,7 @@ TEST_P(Render, a_mirrored_mesh_looks_like_the_mirrored_picture) {
   scene.instances[0].world = glm::scale(glm::mat4(1), glm::vec3(-1, 1, 1));
   scene.instances[0].mirrored = true;
   const image::Image mirrored = draw(scene, {std::nullopt, head_on()});
-  float worst = 0.0f;
+  double worst = 0.0;
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
       worst = std::max(worst, glm::length(rgb(mirrored, x, y) - rgb(straight, size - 1 - x, y)));

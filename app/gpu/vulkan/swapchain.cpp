@@ -8,16 +8,25 @@
 namespace gg::gpu::vulkan {
 namespace {
 
+// What Vulkan lists: asks how many there are, then for them. `ask` is called with the count and where they go.
+template <class T, class Ask>
+std::vector<T> listed(Ask ask, const char* doing) {
+  std::uint32_t count = 0;
+  check(ask(&count, nullptr), doing);
+  std::vector<T> all(count);
+  check(ask(&count, all.data()), doing);
+  return all;
+}
+
 // Values are encoded for display already: a format that encodes would do it twice.
 VkSurfaceFormatKHR format_for(const Context& context, VkSurfaceKHR surface) {
   const InstanceFunctions& vk = context.instance().functions();
   const VkPhysicalDevice device = context.adapter().handle;
-  std::uint32_t count = 0;
-  check(vk.GetPhysicalDeviceSurfaceFormatsKHR(device, surface, &count, nullptr),
-        "asking for the formats of a window");
-  std::vector<VkSurfaceFormatKHR> formats(count);
-  check(vk.GetPhysicalDeviceSurfaceFormatsKHR(device, surface, &count, formats.data()),
-        "asking for the formats of a window");
+  const auto formats = listed<VkSurfaceFormatKHR>(
+      [&](std::uint32_t* count, VkSurfaceFormatKHR* all) {
+        return vk.GetPhysicalDeviceSurfaceFormatsKHR(device, surface, count, all);
+      },
+      "asking for the formats of a window");
   for (const VkFormat wanted :
        {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_A2B10G10R10_UNORM_PACK32})
     for (const VkSurfaceFormatKHR& format : formats)
@@ -31,12 +40,11 @@ VkPresentModeKHR mode_for(const Context& context, VkSurfaceKHR surface, bool wai
   if (wait_for_display) return VK_PRESENT_MODE_FIFO_KHR; // which every device has
   const InstanceFunctions& vk = context.instance().functions();
   const VkPhysicalDevice device = context.adapter().handle;
-  std::uint32_t count = 0;
-  check(vk.GetPhysicalDeviceSurfacePresentModesKHR(device, surface, &count, nullptr),
-        "asking how a window is shown");
-  std::vector<VkPresentModeKHR> modes(count);
-  check(vk.GetPhysicalDeviceSurfacePresentModesKHR(device, surface, &count, modes.data()),
-        "asking how a window is shown");
+  const auto modes = listed<VkPresentModeKHR>(
+      [&](std::uint32_t* count, VkPresentModeKHR* all) {
+        return vk.GetPhysicalDeviceSurfacePresentModesKHR(device, surface, count, all);
+      },
+      "asking how a window is shown");
   for (const VkPresentModeKHR wanted : {VK_PRESENT_MODE_IMMEDIATE_KHR, VK_PRESENT_MODE_MAILBOX_KHR})
     if (std::ranges::find(modes, wanted) != modes.end()) return wanted;
   return VK_PRESENT_MODE_FIFO_KHR;
@@ -126,11 +134,11 @@ void Swapchain::create() {
   const VkResult made = vk.CreateSwapchainKHR(context_.device(), &info, nullptr, &chain_);
   destroy(before);
   check(made, "making the images of the window");
-  check(vk.GetSwapchainImagesKHR(context_.device(), chain_, &count, nullptr),
-        "taking the images of the window");
-  images_.resize(count);
-  check(vk.GetSwapchainImagesKHR(context_.device(), chain_, &count, images_.data()),
-        "taking the images of the window");
+  images_ = listed<VkImage>(
+      [&](std::uint32_t* found, VkImage* all) {
+        return vk.GetSwapchainImagesKHR(context_.device(), chain_, found, all);
+      },
+      "taking the images of the window");
   for (const VkImage image : images_) {
     context_.name(VK_OBJECT_TYPE_IMAGE, image, "window");
     drawn_.push_back(semaphore(context_, "window drawn"));

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -318,4 +319,32 @@ inline Asked asked_of(int argc, char** argv) {
 }
 inline glm::vec2 offset_of(int k, int samples) { // the k-th of samples² places in a pixel
   return (glm::vec2(k % samples, k / samples) + 0.5F) / float(samples) - 0.5F;
+}
+
+struct Averaged {
+  std::vector<float> texels; // linear RGBA
+  double ms = 0.0;           // of one frame
+};
+// Frames at places of the pixel, averaged: a box filter. Renderer: std::vector<float> draw(glm::vec2 offset).
+template <class Renderer>
+Averaged averaged_of(Renderer& renderer, const Asked& asked) {
+  Averaged sum{std::vector<float>(4U * asked.width * asked.height)};
+  const int frames = asked.samples * asked.samples;
+  renderer.draw({}); // drivers compile at the first draw
+  const auto start = std::chrono::steady_clock::now();
+  for (int k = 0; k < frames; ++k) {
+    const std::vector<float> one = renderer.draw(offset_of(k, asked.samples));
+    for (std::size_t i = 0; i < sum.texels.size(); ++i)
+      sum.texels[i] += one[i] / float(frames);
+  }
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  sum.ms = time.count() / frames;
+  return sum;
+}
+// Writes the picture and says so, with the device's name.
+inline void write(const Averaged& picture, const Asked& asked, const char* device) {
+  if (!stbi_write_hdr(asked.out.c_str(), asked.width, asked.height, 4, picture.texels.data()))
+    fail(asked.out + " cannot be written");
+  std::printf("%s: %d x %d, %.1f ms a frame on %s\n", asked.out.c_str(), asked.width, asked.height,
+              picture.ms, device);
 }

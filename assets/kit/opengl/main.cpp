@@ -7,8 +7,6 @@
 #include <EGL/eglext.h>
 #include <GL/glcorearb.h>
 
-#include <chrono>
-
 namespace {
 
 void open_device() { // no window: EGL without a surface
@@ -273,22 +271,8 @@ int main(int argc, char** argv) {
   open_device();
   const Scene scene = scene_of(asked.scene);
   Renderer renderer(scene, environment_of(asked.environment), asked.width, asked.height);
-  std::vector<float> sum(4U * asked.width * asked.height);
-  const int frames = asked.samples * asked.samples;
-  renderer.draw({}); // drivers compile at the first draw
-  const auto start = std::chrono::steady_clock::now();
-  for (int k = 0; k < frames; ++k) { // frames at places of the pixel, averaged: a box filter
-    const std::vector<float> one = renderer.draw(offset_of(k, asked.samples));
-    for (std::size_t i = 0; i < sum.size(); ++i)
-      sum[i] += one[i] / float(frames);
-  }
-  const double ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()
-      / frames;
+  const Averaged averaged = averaged_of(renderer, asked);
   if (glGetError() != GL_NO_ERROR) fail("OpenGL reports an error");
   stbi_flip_vertically_on_write(1);
-  if (!stbi_write_hdr(asked.out.c_str(), asked.width, asked.height, 4, sum.data()))
-    fail(asked.out + " cannot be written");
-  std::printf("%s: %d x %d, %.1f ms a frame on %s\n", asked.out.c_str(), asked.width, asked.height,
-              ms, reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+  write(averaged, asked, reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
 }
