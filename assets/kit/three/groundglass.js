@@ -68,7 +68,7 @@ const fragmentBody = /* glsl */`
     ggFace.position = ggPosition;
     ggFace.wo = normalize(cameraPosition - ggPosition);
     ggFace.n = normalize((vec4(normal, 0.0) * viewMatrix).xyz);
-    ggFace.alpha = material.roughness * material.roughness;
+    ggFace.alpha = roughnessFactor * roughnessFactor; // material.roughness has what the normals of a pixel differ by, which is turn here
     // Interpolated normals may lean away from the viewer: no further than along the surface.
     ggFace.n = normalize(ggFace.n + max(1e-3 - dot(ggFace.n, ggFace.wo), 0.0) * ggFace.wo);
     vec3 ggAlongX = dFdx(ggPosition), ggAlongY = dFdy(ggPosition);
