@@ -24,7 +24,7 @@ void add_kit(Command program) {
           "three (three.js, WebGLRenderer), webgl2 (one page, no library), opengl or vulkan (one "
           "C++ file)")
       .required();
-  command.option("-o,--out", &options->out, "The folder; made if it is not there").required();
+  command.option("-o,--output", &options->out, "The folder; made if it is not there").required();
   command.action([options] {
     const auto target = kit::target_named(options->target);
     if (!target)

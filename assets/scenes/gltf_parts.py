@@ -177,6 +177,10 @@ def revolved(profile, steps, segments, textured=False):
 
 
 # ---- glTF -----------------------------------------------------------------------------------------
+# Reflectance at normal incidence, ((n - 1)² + k²) / ((n + 1)² + k²), of the presets' n and k (app/scene/presets.cpp).
+METALS = {"copper": [0.943, 0.619, 0.539], "gold": [0.963, 0.787, 0.408]}
+
+
 class Document:
     def __init__(self):
         self.body = bytearray()
@@ -272,7 +276,9 @@ class Document:
                               "KHR_materials_ior": {"ior": 1.5}}, extras)
 
     def metal(self, name, preset, alpha):
-        return self.material(name, {"metallicFactor": 1.0, "roughnessFactor": math.sqrt(alpha)},
+        """The preset for this project; for other programs its colour: the reflectance at normal incidence."""
+        return self.material(name, {"baseColorFactor": [*METALS[preset], 1.0], "metallicFactor": 1.0,
+                                    "roughnessFactor": math.sqrt(alpha)},
                              extras={"preset": preset, "alpha": alpha})
 
     def plain(self, name, colour, roughness, metallic=0.0):
