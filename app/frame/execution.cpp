@@ -1,6 +1,8 @@
 #include "frame/execution.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace gg::frame {
 namespace {
@@ -30,32 +32,46 @@ Execution::Execution(gpu::Device& device)
                                                                .minify = gpu::Filter::nearest})),
       linear_(device.create(gpu::SamplerDesc{.between_levels = gpu::Filter::linear})) {}
 
+// Those of this size that no target has; all of them, before the graph's own are chosen.
+std::vector<gpu::TextureRef>& Execution::spare_of(int width, int height) {
+  if (!spare_.empty()) std::ranges::move(textures_, std::back_inserter(spare_.front().textures));
+  textures_.clear();
+  auto found = std::ranges::find_if(
+      spare_, [&](const OfSize& of) { return of.width == width && of.height == height; });
+  if (found == spare_.end()) found = spare_.insert(found, {.width = width, .height = height});
+  std::rotate(spare_.begin(), found, found + 1);
+  double all = 0.0, largest = 0.0;
+  for (const OfSize& of : spare_) {
+    const double pixels = static_cast<double>(of.width) * of.height;
+    all += pixels;
+    largest = std::max(largest, pixels);
+  }
+  for (; all > 2.0 * largest; spare_.pop_back())
+    all -= static_cast<double>(spare_.back().width) * spare_.back().height;
+  return spare_.front().textures;
+}
+
 void Execution::set(const Graph& graph, Context& context, Shared shared) {
   graph_ = &graph;
   shared_ = std::move(shared);
   const Allocation allocation = allocate(graph);
-  std::vector<gpu::TextureRef> earlier = std::move(textures_);
-  textures_.clear();
-  earlier.insert(earlier.end(), spare_.begin(), spare_.end());
-  const bool same_size = graph.width == width_ && graph.height == height_;
-  width_ = graph.width, height_ = graph.height;
+  std::vector<gpu::TextureRef>& spare = spare_of(graph.width, graph.height);
   for (const std::size_t target : allocation.first) {
     const gpu::TextureDesc desc = desc_of(graph.targets[target]);
     // Of the same name first: what is attached to what stays as it was.
-    auto found = std::ranges::find_if(earlier, [&](const gpu::TextureRef& texture) {
+    auto found = std::ranges::find_if(spare, [&](const gpu::TextureRef& texture) {
       return texture->desc.label == desc.label && fits(texture->desc, desc);
     });
-    if (found == earlier.end())
+    if (found == spare.end())
       found = std::ranges::find_if(
-          earlier, [&](const gpu::TextureRef& texture) { return fits(texture->desc, desc); });
-    if (found == earlier.end()) {
+          spare, [&](const gpu::TextureRef& texture) { return fits(texture->desc, desc); });
+    if (found == spare.end()) {
       textures_.push_back(device_.create(desc));
       continue;
     }
     textures_.push_back(*found);
-    earlier.erase(found);
+    spare.erase(found);
   }
-  spare_ = same_size ? std::move(earlier) : std::vector<gpu::TextureRef>();
   texture_of_ = allocation.texture_of;
   context.draws.expect([&] {
     for (const Pass& pass : graph.passes)

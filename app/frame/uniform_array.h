@@ -16,8 +16,8 @@ struct UniformArray {
   std::size_t offset(std::size_t i) const { return i * stride; }
 };
 
-// Puts `values` into the buffer, or into a new one where they are more than it holds. `values` may be empty: the buffer then holds
-// one element of zeros.
+// Puts `values` into the buffer, or into a new one where they are more than it holds, which then has room for as many again: what
+// is seen changes with every turn of a camera. `values` may be empty: the buffer then holds one element of zeros.
 template <class T>
 void update_uniforms(gpu::Device& device, UniformArray& array, const std::string& label,
                      const std::vector<T>& values) {
@@ -27,10 +27,12 @@ void update_uniforms(gpu::Device& device, UniformArray& array, const std::string
   std::vector<std::byte> padded(array.stride * std::max<std::size_t>(values.size(), 1));
   for (std::size_t i = 0; i < values.size(); ++i)
     std::memcpy(&padded[array.offset(i)], &values[i], sizeof(T));
-  if (array.buffer && array.buffer->desc.bytes >= padded.size())
+  if (array.buffer && array.buffer->desc.bytes >= padded.size()) {
     device.upload(array.buffer, 0, padded);
-  else
-    array.buffer = device.create(gpu::BufferDesc{label, padded.size(), gpu::Use::uniforms}, padded);
+    return;
+  }
+  const std::size_t bytes = array.buffer ? 2 * padded.size() : padded.size();
+  array.buffer = device.create(gpu::BufferDesc{label, bytes, gpu::Use::uniforms}, padded);
 }
 
 } // namespace gg::frame

@@ -10,7 +10,10 @@
 #include "viewer/viewer.h"
 #include "viewer/watched_files.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <chrono>
+#include <functional>
 
 namespace gg::viewer {
 
@@ -26,6 +29,8 @@ public:
   void screenshot();
 
 private:
+  // bench.cpp
+  nlohmann::json bench_frames(int count, bool paced, const std::function<void(int)>& change);
   // loop.cpp
   void frame();
   void wait();

@@ -4,10 +4,7 @@
 #include "viewer/application.h"
 #include "viewer/panels.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <numbers>
 
 namespace gg::viewer {
 namespace {
@@ -19,17 +16,6 @@ Comparing comparing_of(const std::string& name) {
   if (name == "flip") return Comparing::flip;
   throw Error(ExitCode::usage, "--compare", "'" + name + "' is not known",
               "Choose wipe, side-by-side, error or flip.");
-}
-
-// Nearest ranks.
-nlohmann::json distribution_of(std::vector<double> ms) {
-  std::ranges::sort(ms);
-  const auto rank = [&](std::size_t percent) { return ms[(ms.size() * percent + 99) / 100 - 1]; };
-  return {{"p50", rank(50)}, {"p95", rank(95)}, {"worst", ms.back()}};
-}
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
 } // namespace
@@ -54,63 +40,6 @@ Application::Application(const Settings& settings, const Commands& commands)
 
 Application::~Application() {
   truth_.stop();
-}
-
-// One turn about the target: first at full size, then at the size that keeps the rate.
-void Application::bench() {
-  const int count = settings_.bench_orbit;
-  open_first();
-  while (!session_.scene || stale_ || !picture_->is_open() || !picture_->done()) {
-    if (!session_.scene) window_->wait_events(0.05);
-    frame();
-  }
-  nlohmann::json result = {{"frames", count},
-                           {"width", width_},
-                           {"height", height_},
-                           {"backend", window_->device().info().backend},
-                           {"device", window_->device().info().name},
-                           {"method", session_.view.method}};
-  for (const bool paced : {false, true}) {
-    std::vector<double> frames, pictures;
-    constexpr int warm_up = 10; // frames: until the size has settled
-    std::uint64_t created = 0;
-    for (int i = -warm_up; i < count; ++i) {
-      if (window_->should_close())
-        throw Error(ExitCode::interrupted, "--bench-orbit", "the window was closed");
-      window_->poll_events();
-      const gpu::DeviceCounters before = window_->device().counters();
-      const auto start = Clock::now();
-      window_->begin_frame();
-      draw_panels(session_, commands_.methods, window_->scale());
-      if (!session_.view.place)
-        session_.view.place = place_of(session_.camera, session_.scene->bounds);
-      orbit(*session_.view.place, 2.0f * std::numbers::pi_v<float> / static_cast<float>(count),
-            0.0f);
-      session_.camera = commands_.camera(session_.view, *session_.scene, width_, height_);
-      const auto draw = Clock::now();
-      if (paced) {
-        draw_quick();
-      } else {
-        picture_->set(frame_desc(1.0, 1), false);
-        picture_->draw_sample();
-        window_->device().finish();
-      }
-      const double picture_ms = ms_since(draw);
-      window_->present(compose());
-      window_->device().finish();
-      if (i < 0) continue;
-      frames.push_back(ms_since(start));
-      pictures.push_back(picture_ms);
-      const gpu::DeviceCounters after = window_->device().counters();
-      created += after.created + after.compiled - before.created - before.compiled;
-    }
-    nlohmann::json& part = result[paced ? "paced" : "full"];
-    part = {{"frame_ms", distribution_of(frames)},
-            {"picture_ms", distribution_of(pictures)},
-            {"resources_created", created}};
-    if (paced) part["scale"] = session_.scale;
-  }
-  commands_.write_times(result);
 }
 
 void Application::screenshot() {

@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -162,6 +163,41 @@ TEST(needs, a_frame_that_is_set_is_the_frame_that_is_made) {
   renderer.draw();
   EXPECT_EQ(device().counters().created, before.created);
   EXPECT_EQ(device().counters().compiled, before.compiled);
+}
+
+// A camera that goes round, in a picture whose size follows the time that a frame takes, and a slider of a material: what has been
+// seen once makes nothing when it is seen again.
+TEST(needs, the_second_turn_about_a_scene_makes_nothing) {
+  for (gpu::Device* device : {&shared_device(gpu::Backend::opengl, gpu::Surface::egl),
+                              &shared_device(gpu::Backend::vulkan, gpu::Surface::automatic)}) {
+    scene::Scene scene = neighbours();
+    const auto desc = [](int i) {
+      constexpr int steps = 8, sides[] = {size, 34, 24};
+      const float angle = 6.2831853f * static_cast<float>(i) / steps;
+      return frame::FrameDesc{.width = sides[i % 3],
+                              .height = sides[i % 3],
+                              .samples = 1,
+                              .camera = camera_at({6.0f * std::sin(angle), 0.0f, 6.0f * std::cos(angle)}),
+                              .method = frame::Method::lobes2};
+    };
+    frame::Renderer renderer(*device, scene, desc(0));
+    const auto turn = [&] {
+      for (int i = 0; i < 24; ++i) { // every angle at every size
+        renderer.set(desc(i));
+        renderer.draw();
+      }
+      for (int i = 0; i < 5; ++i) {
+        scene.materials[0] = glass(0.2f + 0.05f * static_cast<float>(i), 1.5f);
+        renderer.materials_changed();
+        renderer.draw();
+      }
+    };
+    turn();
+    const gpu::DeviceCounters before = device->counters();
+    turn();
+    EXPECT_EQ(device->counters().created, before.created);
+    EXPECT_EQ(device->counters().compiled, before.compiled);
+  }
 }
 
 } // namespace gg::test

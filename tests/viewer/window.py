@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The viewer as a user has it, on a display without a screen: tests/viewer/window.py PROGRAM BACKEND NAME"""
+import json
 import shlex
 import shutil
 import subprocess
@@ -207,6 +208,18 @@ def an_orthographic_view_is_copied():
         v.key("5")
         v.copied_when(lambda line: not option(line, "--ortho"), "the camera stayed orthographic")
         assert v.close() == 0, v.errors()
+
+
+def the_second_turn_and_a_slider_that_moves_again_create_nothing():
+    # So many frames a second that the size comes to rest: at the smallest.
+    with Desk() as desk, Viewer(desk, PROGRAM, [SCENE, "--backend", BACKEND, "--samples", "1", "--no-panel", "--bench-orbit", "8",
+                                                "--fps", "1000", "--json", "times.json"], size=(160, 120)) as v:
+        assert v.process.wait(PATIENCE) == 0, v.errors()
+        times = json.loads((desk.path / "times.json").read_text())
+        for part in ("full", "paced", "slider"):
+            assert times[part]["resources_created"] == 0, times
+            assert times[part]["frame_ms"]["worst"] >= times[part]["frame_ms"]["p95"] > 0, times
+        assert times["paced"]["first_time"]["resources_created"] > 0, "the smallest size was there already"
 
 
 def validation_is_silent():
