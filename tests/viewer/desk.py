@@ -17,7 +17,7 @@ PATIENCE = 240.0
 
 
 class Desk:
-    def __init__(self, width=1300, height=900):
+    def __init__(self, width=980, height=660):
         self.folder = tempfile.TemporaryDirectory(prefix="groundglass-desk-", ignore_cleanup_errors=True)
         self.path = Path(self.folder.name)
         read, write = os.pipe()
@@ -123,7 +123,7 @@ class Viewer:
         """Until the picture is finished: then a frame takes no longer than a hand's movement."""
         since, before = time.monotonic(), None
         start = since
-        while time.monotonic() - since < 2.0 and time.monotonic() - start < PATIENCE:
+        while time.monotonic() - since < 1.2 and time.monotonic() - start < PATIENCE:
             now = (self.desk.path / "Xvfb_screen0").read_bytes()
             if now != before:
                 since, before = time.monotonic(), now
