@@ -28,8 +28,9 @@ nlohmann::json distribution_of(std::vector<double> ms) {
 scene::Index slid_material(const scene::Scene& scene) {
   const auto found = std::ranges::find_if(
       scene.materials, [](const scene::Material& m) { return needs::is_refractive(m); });
-  return found == scene.materials.end() ? 0
-                                        : static_cast<scene::Index>(found - scene.materials.begin());
+  return found == scene.materials.end()
+             ? 0
+             : static_cast<scene::Index>(found - scene.materials.begin());
 }
 
 } // namespace

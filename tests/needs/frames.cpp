@@ -177,7 +177,8 @@ TEST(needs, the_second_turn_about_a_scene_makes_nothing) {
       return frame::FrameDesc{.width = sides[i % 3],
                               .height = sides[i % 3],
                               .samples = 1,
-                              .camera = camera_at({6.0f * std::sin(angle), 0.0f, 6.0f * std::cos(angle)}),
+                              .camera =
+                                  camera_at({6.0f * std::sin(angle), 0.0f, 6.0f * std::cos(angle)}),
                               .method = frame::Method::lobes2};
     };
     frame::Renderer renderer(*device, scene, desc(0));
