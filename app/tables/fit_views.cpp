@@ -183,15 +183,13 @@ void FitViews::read(double angle, double sigma, float* result) const {
 FitViews make_fit_views(Progress* progress) {
   constexpr int map_size = 128, rotations_per_map = 64;
   constexpr unsigned seed = 1;
-  std::vector<SphereStack> stacks;
-  for (int draw : fitted_draws) {
-    if (progress) progress->update(0, "painting environments");
-    for (const TrainingMap& map : training_maps(map_size, draw)) {
-      if (progress) progress->update(0, "blurring " + map.name);
-      stacks.emplace_back(map.map);
-    }
-  }
-  return FitViews(stacks, rotations_per_map, seed);
+  std::vector<SphereMap> maps;
+  if (progress) progress->update(0, "painting environments");
+  for (int draw : fitted_draws)
+    for (const TrainingMap& map : training_maps(map_size, draw))
+      maps.push_back(map.map);
+  if (progress) progress->update(0, "blurring environments");
+  return FitViews(stacks_of(maps), rotations_per_map, seed);
 }
 
 } // namespace gg::tables

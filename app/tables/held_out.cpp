@@ -47,13 +47,13 @@ double seen_through(const SphereStack& stack, double sigma) {
 } // namespace
 
 Training held_out_maps(int map_size, int rotations) {
-  std::vector<SphereStack> stacks;
+  std::vector<SphereMap> maps;
   for (const char* file : pictures)
-    stacks.emplace_back(picture(file, map_size));
+    maps.push_back(picture(file, map_size));
   for (int draw : held_out_draws)
     for (const TrainingMap& map : training_maps(map_size, draw))
-      stacks.emplace_back(map.map);
-  return Training(std::move(stacks), rotations, 2);
+      maps.push_back(map.map);
+  return Training(stacks_of(maps), rotations, 2);
 }
 
 std::vector<double> radiance(const Training& training, const std::vector<LobeSample>& lobe,

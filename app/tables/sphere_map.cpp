@@ -81,40 +81,54 @@ SphereMap halved(const SphereMap& map) {
   return half;
 }
 
-SphereMap blurred(const SphereMap& map, double variance) {
+std::vector<SphereMap> blurred(const std::vector<SphereMap>& maps, double variance) {
   const double width = variance / cut_variance(kernel_reach);
   const double radius = std::min(kernel_reach * std::sqrt(width), 1.5);
   const auto cos_radius = static_cast<float>(std::cos(radius)),
              sin_radius = static_cast<float>(std::sin(radius));
   const auto limit = static_cast<float>(2.0 - 2.0 * std::cos(radius)); // chord²
   const auto inverse = static_cast<float>(0.5 / width);
-  const int n = map.size;
-  std::vector<glm::vec4> lattice(map.texels.size()); // direction, solid angle
+  const int n = maps.front().size;
+  const std::size_t count = maps.size(), texels = maps.front().texels.size();
+  // Of a texel: its direction and solid angle, and the maps' values side by side.
+  std::vector<glm::vec4> lattice(texels);
+  std::vector<float> values(texels * count);
   for_each_texel(n, [&](int face, int x, int y) {
-    lattice[static_cast<std::size_t>((face * n + y) * n + x)] =
+    const auto texel = static_cast<std::size_t>((face * n + y) * n + x);
+    lattice[texel] =
         glm::vec4(f32::cubeTexelDirection(face, x, y, n), f32::cubeTexelSolidAngle(x, y, n));
+    for (std::size_t m = 0; m < count; ++m)
+      values[texel * count + m] = maps[m].texels[texel];
   });
-  SphereMap result(n);
-  for_each_texel(n, [&](int face, int x, int y) {
-    const glm::vec3 d(lattice[static_cast<std::size_t>((face * n + y) * n + x)]);
-    float sum = 0.0f, total = 0.0f;
-    for (int source = 0; source < 6; ++source) {
-      const auto range = f32::cubeCapFace(f32::cubeLocal(source, d), cos_radius, sin_radius, n);
-      for (int j = range.firstY; j <= range.lastY; ++j)
-        for (int i = range.firstX; i <= range.lastX; ++i) {
-          const auto texel = static_cast<std::size_t>((source * n + j) * n + i);
-          const glm::vec3 apart = d - glm::vec3(lattice[texel]);
-          const float chord2 = glm::dot(apart, apart);
-          if (chord2 > limit) continue;
-          // The heat kernel's first term, with theta² = c + c²/12 + c³/90 and sqrt(theta / sin theta).
-          const float theta2 = chord2 * (1.0f + chord2 * (1.0f / 12.0f + chord2 / 90.0f));
-          const float weight =
-              std::exp(-theta2 * inverse) * (1.0f + theta2 / 12.0f) * lattice[texel].w;
-          sum += weight * map.texels[texel];
-          total += weight;
-        }
+  std::vector<SphereMap> result(count, SphereMap(n));
+  tbb::parallel_for(0, 6 * n, [&](int row) {
+    std::vector<float> sums(count);
+    for (int x = 0; x < n; ++x) {
+      const auto here = static_cast<std::size_t>(row * n + x);
+      const glm::vec3 d(lattice[here]);
+      float total = 0.0f;
+      std::fill(sums.begin(), sums.end(), 0.0f);
+      for (int source = 0; source < 6; ++source) {
+        const auto range = f32::cubeCapFace(f32::cubeLocal(source, d), cos_radius, sin_radius, n);
+        for (int j = range.firstY; j <= range.lastY; ++j)
+          for (int i = range.firstX; i <= range.lastX; ++i) {
+            const auto texel = static_cast<std::size_t>((source * n + j) * n + i);
+            const glm::vec3 apart = d - glm::vec3(lattice[texel]);
+            const float chord2 = glm::dot(apart, apart);
+            if (chord2 > limit) continue;
+            // The heat kernel's first term, with theta² = c + c²/12 + c³/90 and sqrt(theta / sin theta).
+            const float theta2 = chord2 * (1.0f + chord2 * (1.0f / 12.0f + chord2 / 90.0f));
+            const float weight =
+                std::exp(-theta2 * inverse) * (1.0f + theta2 / 12.0f) * lattice[texel].w;
+            const float* value = &values[texel * count];
+            for (std::size_t m = 0; m < count; ++m)
+              sums[m] += weight * value[m];
+            total += weight;
+          }
+      }
+      for (std::size_t m = 0; m < count; ++m)
+        result[m].texels[here] = sums[m] / total;
     }
-    result.at(face, x, y) = sum / total;
   });
   return result;
 }
@@ -135,19 +149,32 @@ SphereStack::SphereStack(SphereMap map) {
   geometric_mean = std::exp(log_sum / area);
   levels_.push_back(std::move(map));
   sigmas_.push_back(0.0);
+}
+
+std::vector<SphereStack> stacks_of(const std::vector<SphereMap>& maps) {
+  std::vector<SphereStack> stacks;
+  for (const SphereMap& map : maps)
+    stacks.push_back(SphereStack(map));
+  if (maps.empty()) return stacks;
   double variance = 0.0;
-  SphereMap working = levels_[0];
-  for (double sigma = first_sigma(working.size); sigma < 1.35; sigma *= std::sqrt(2.0)) {
+  std::vector<SphereMap> working = maps;
+  for (double sigma = SphereStack::first_sigma(working.front().size); sigma < 1.35;
+       sigma *= std::sqrt(2.0)) {
     // Halving adds a quarter of a texel's area per axis; the sphere's mean will do here.
-    if (levels_.size() % 2 == 1 && levels_.size() > 1 && working.size > 32) {
-      variance += 4.0 * 3.14159265358979 / (6.0 * working.size * working.size) / 4.0;
-      working = halved(working);
+    const int size = working.front().size, levels = stacks.front().level_count();
+    if (levels % 2 == 1 && levels > 1 && size > 32) {
+      variance += 4.0 * 3.14159265358979 / (6.0 * size * size) / 4.0;
+      for (SphereMap& map : working)
+        map = halved(map);
     }
     working = blurred(working, sigma * sigma - variance);
     variance = sigma * sigma;
-    levels_.push_back(working);
-    sigmas_.push_back(sigma);
+    for (std::size_t m = 0; m < working.size(); ++m) {
+      stacks[m].levels_.push_back(working[m]);
+      stacks[m].sigmas_.push_back(sigma);
+    }
   }
+  return stacks;
 }
 
 int SphereStack::nearest_level(double sigma) const {

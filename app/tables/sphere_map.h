@@ -32,14 +32,13 @@ SphereMap sample_sphere(int size, const std::function<float(const glm::vec3&)>& 
 // Averages of 2 x 2 texels, weighted by solid angle.
 SphereMap halved(const SphereMap& map);
 
-// Convolved with the Gaussian of that variance (rad²) on the map's own lattice. Parallel.
-SphereMap blurred(const SphereMap& map, double variance);
+// Maps of one size, at least one, convolved with the Gaussian of that variance (rad²) on their own lattice: together, as a kernel's
+// weights cost more than what they are multiplied with. Parallel.
+std::vector<SphereMap> blurred(const std::vector<SphereMap>& maps, double variance);
 
 // A map at growing sigma, sqrt(2) apart.
 class SphereStack {
 public:
-  // Level 0 is `map` itself, level k >= 1 has sigma first_sigma(map.size) sqrt(2)^(k-1), up to about 1.3 rad.
-  explicit SphereStack(SphereMap map);
   static double first_sigma(int size);
 
   // Mixed from the two levels next to sigma as shaders/environment/gaussian_stack.glsl says.
@@ -54,8 +53,14 @@ public:
   double geometric_mean = 0.0; // of the sharp map's radiance
 
 private:
+  friend std::vector<SphereStack> stacks_of(const std::vector<SphereMap>& maps);
+  explicit SphereStack(SphereMap map);
   std::vector<SphereMap> levels_;
   std::vector<double> sigmas_;
 };
+
+// A stack of each map; all are of one size. Level 0 is the map itself, level k >= 1 has sigma first_sigma(size) sqrt(2)^(k-1), up to
+// about 1.3 rad.
+std::vector<SphereStack> stacks_of(const std::vector<SphereMap>& maps);
 
 } // namespace gg::tables

@@ -54,11 +54,11 @@ double energy_of(const std::vector<Lookup>& lobes) {
 
 const tables::Training& environments(int texels_per_edge) {
   static const tables::Training training = [texels_per_edge] {
-    std::vector<tables::SphereStack> stacks;
+    std::vector<tables::SphereMap> maps;
     for (int draw : tables::held_out_draws)
       for (const tables::TrainingMap& map : tables::training_maps(texels_per_edge, draw))
-        stacks.emplace_back(map.map);
-    return tables::Training(std::move(stacks), 24, 3);
+        maps.push_back(map.map);
+    return tables::Training(tables::stacks_of(maps), 24, 3);
   }();
   return training;
 }

@@ -8,16 +8,48 @@
 #include <numbers>
 
 namespace gg::test {
+namespace {
+
+// The stack of the environment that was drawn last: most tests draw several pictures under one. Forgotten after each test, as
+// devices end before statics do.
+class LastStack : public ::testing::EmptyTestEventListener {
+public:
+  const environment::Stack& of(gpu::Device& device, const environment::Map& map) {
+    const bool known = stack_ && device_ == &device && map_.width == map.width
+                       && map_.height == map.height && map_.rgb == map.rgb;
+    if (!known) {
+      stack_ = environment::build(device, map);
+      map_ = map;
+      device_ = &device;
+    }
+    return *stack_;
+  }
+  void OnTestEnd(const ::testing::TestInfo&) override { stack_.reset(); }
+
+private:
+  const gpu::Device* device_ = nullptr;
+  environment::Map map_;
+  std::optional<environment::Stack> stack_;
+};
+
+LastStack& last_stack() {
+  static LastStack* const registered = [] {
+    auto* made = new LastStack; // owned by gtest
+    ::testing::UnitTest::GetInstance()->listeners().Append(made);
+    return made;
+  }();
+  return *registered;
+}
+
+} // namespace
+
 gpu::Device& Render::device() const {
   return shared_device(GetParam().backend, GetParam().surface);
 }
 
 image::Image Render::draw(const scene::Scene& scene, Setup setup) const {
-  std::optional<environment::Stack> stack;
-  if (setup.environment) {
-    stack = environment::build(device(), *setup.environment);
-    setup.desc.environment.stack = &*stack;
-  }
+  if (setup.environment)
+    setup.desc.environment.stack = &last_stack().of(device(), *setup.environment);
   frame::Renderer renderer(device(), scene, setup.desc);
   renderer.draw();
   image::Image picture = renderer.read();
