@@ -10,7 +10,7 @@ constexpr double depth_rounding = 8.0 * std::numeric_limits<float>::epsilon();
 
 // The depth by which the n-th region finds its pixels: exact in floats, and never 0, which is where there is none.
 double material_depth(std::size_t n) {
-  return static_cast<double>(n + 1) * 0x1p-24;
+  return static_cast<double>(n + 1) * static_cast<double>(uniforms::REGION_STEP);
 }
 
 // As shaders/stages/object.glsl says it.

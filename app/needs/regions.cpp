@@ -12,11 +12,10 @@ namespace {
 // would want a smaller number; what they lose by this one is a pass over the picture.
 constexpr double fine = 16.0;
 
-// All that shading takes from the mesh is depth and normal (stages/geometry.frag). Without light there is nothing to save.
+// All that shading takes from the mesh is depth, normal and tangent (stages/geometry.frag). Without light there is nothing to save.
 bool can_be_by_pixel(const Draw& draw) {
   return draw.role == Role::opaque && draw.material->alpha_mode == scene::AlphaMode::opaque
          && draw.maps.empty() && value_of(draw.key, Feature::vertex_color) == 0
-         && value_of(draw.key, Feature::anisotropy) == 0
          && value_of(draw.key, Feature::shading) != static_cast<int>(Shading::unlit);
 }
 

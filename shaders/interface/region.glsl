@@ -7,6 +7,8 @@ struct RegionData {
                // (stages/object.glsl); w: none
 };
 
+const float REGION_STEP = 1.0 / 16777216.0; // between the numbers of opaque surfaces: exact in floats
+
 #ifndef __cplusplus
 layout(std140, binding = 4) uniform Region {
     RegionData region;

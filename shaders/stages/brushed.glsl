@@ -3,6 +3,7 @@
 // Source   environment/stretched_lobe.glsl; for --method standard what peers do: one lookup along the mirror direction of a normal
 //          that is bent about the brushing, at the width across it.
 #include "environment/stretched_lobe.glsl"
+#include "stages/neighbour_groups.glsl"
 
 vec3 peersRadiance(Surface s) {
     vec3 bent = cross(cross(s.brush, s.wo), s.brush);
@@ -28,17 +29,15 @@ vec3 brushedRadiance(Surface s, float edge) {
     float shift = several ? 1.0 / (1.0 + exp(-2.4 * frame.part.x)) - 0.5 : 0.0;
     float sharpness = several ? min(sqrt(12.0 * frame.part.w), 1.0) : 1.0;
     int parts = several ? brushedLobes / 2 : brushedLobes;
-    vec3 sum = vec3(0.0);
-    float weights = 0.0;
+    LobeGroup group = emptyGroup();
     for (int k = 0; k < parts; ++k) {
         StretchedPart part = stretchedPart(wo, brushWidths(s), k, parts, shift, sharpness);
         vec3 n = world * part.n;
         if (!(ofPixel(part.weight) > 0.0)) continue;
         for (int t = 0; t < lobeCount; ++t) {
             ReflectionLobe lobe = fetchReflectionLobeOf(lobeTable, t, lobeCount, s.wo, n, part.alpha, edge);
-            sum += part.weight * lobe.weight * reflectedRadiance(s, lobe.direction, lobe.sigma);
+            addLobe(group, s, part.weight * lobe.weight, lobe.direction, sqrt(lobe.sigma * lobe.sigma + s.turn));
         }
-        weights += part.weight;
     }
-    return sum / max(weights, 1e-6);
+    return groupRadiance(group, s) / max(group.weight, 1e-6);
 }

@@ -1,6 +1,6 @@
 // geometry.frag: what the shading of an opaque surface takes from its mesh, for opaque_region.frag: a G-buffer [SaitoTakahashi90].
 // A texel: x bits of the depth; y, z of the normal's octahedron, which needs the digits that interpolation gives: a mirror shows
-// a thousandth of a degree; w of the depth by which the region of its material finds it, 0 where there is nothing.
+// a thousandth of a degree; w the number of the region of its material, 0 where there is nothing, and its tangent if it is brushed.
 #version 450
 #include "interface/frame.glsl"
 #include "interface/material.glsl"
@@ -17,9 +17,14 @@ layout(location = 5) in vec4 inUv23;
 
 layout(location = 0) out uvec4 outTexel;
 
+#include "stages/packed_tangent.glsl"
 #include "stages/surface.glsl"
 
 void main() {
     vec2 n = octEncode(surfaceNormal(gl_FrontFacing));
-    outTexel = uvec4(floatBitsToUint(gl_FragCoord.z), floatBitsToUint(n.x), floatBitsToUint(n.y), floatBitsToUint(region.back.x));
+    uint number = uint(region.back.x / REGION_STEP);
+    uint bits = packedNumber(number);
+    // The bitangent is that of the mesh's own normal, which a back face's is turned against.
+    if (brushedLobes > 0) bits |= packedTangent(octDecode(n), vec4(inTangent.xyz, gl_FrontFacing ? inTangent.w : -inTangent.w));
+    outTexel = uvec4(floatBitsToUint(gl_FragCoord.z), floatBitsToUint(n.x), floatBitsToUint(n.y), bits);
 }

@@ -1,6 +1,8 @@
 // material_depth.frag: gives each pixel of the G-buffer (geometry.frag) that nothing hides the depth of its material's region, so
 // that the test for equal depth, which comes before shading, finds its pixels and no others.
 #version 450
+#include "interface/region.glsl"
+#include "stages/packed_tangent.glsl"
 
 layout(binding = 8) uniform usampler2D geometry;
 layout(binding = 9) uniform sampler2D sceneDepth;
@@ -9,5 +11,5 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     uvec4 texel = texelFetch(geometry, at, 0);
     bool seen = uintBitsToFloat(texel.x) == texelFetch(sceneDepth, at, 0).x;
-    gl_FragDepth = seen ? uintBitsToFloat(texel.w) : 0.0;
+    gl_FragDepth = seen ? float(unpackedNumber(texel.w)) * REGION_STEP : 0.0;
 }

@@ -54,6 +54,21 @@ PassedOn withPassed(PassedOn on, NeighbourData o, LobeShare met, vec3 p, vec3 we
     return on;
 }
 
+struct OnwardLobe {
+    vec3 point;
+    vec3 direction;
+    float sigma;
+};
+
+OnwardLobe onwardLobe(PassedOn on, vec3 n) {
+    OnwardLobe lobe;
+    lobe.point = on.point / on.share;
+    vec3 mean = on.direction / on.share; // shorter than 1 where directions differ
+    lobe.direction = normalize(mean + 1e-6 * n);
+    lobe.sigma = sqrt(min(on.variance / on.share + max(1.0 - dot(mean, mean), 0.0), 1.0));
+    return lobe;
+}
+
 // The next neighbour that takes a share of a lobe, from the place `i` of the list on: machines that run pixels in lockstep then
 // shade as often as one pixel has neighbours that do, not as often as there are neighbours.
 struct NextShare {
@@ -81,11 +96,12 @@ NextShare nextShare(int i, bool opaqueOnly, vec3 p, vec3 n, vec3 direction, floa
 // neighbours take, at their own widths, so that no lamp behind one is seen; of a lobe that is nearly taken, no more than four times
 // what is left of it, as the parts' Gaussians and the lobe's agree to some percent only. What glass passes is followed once more,
 // to what is opaque.
-vec3 surroundingRadiance(vec3 p, vec3 n, vec3 direction, float sigma) {
+// firstWay: 1 if the lobe is of light that glass has passed.
+vec3 radianceFrom(int firstWay, vec3 p, vec3 n, vec3 direction, float sigma) {
     vec3 sum = vec3(0.0);
     vec3 weight = vec3(1.0);
     const int ways = glassAround ? 2 : 1;
-    for (int way = 0; way < ways; ++way) {
+    for (int way = firstWay; way < ways; ++way) {
         Composed c = nothingTaken();
         PassedOn on = nothingPassedOn();
         vec3 far = farRadiance(direction, sigma);
@@ -109,12 +125,14 @@ vec3 surroundingRadiance(vec3 p, vec3 n, vec3 direction, float sigma) {
         }
         sum += weight * clamp(far - hidden, vec3(0.0), min(4.0 * c.passed.y, 1.0) * far);
         if (!(on.share > 0.0)) break;
+        OnwardLobe onward = onwardLobe(on, n);
         weight = on.weight;
-        p = on.point / on.share;
-        vec3 mean = on.direction / on.share; // shorter than 1 where directions differ
-        direction = normalize(mean + 1e-6 * n);
+        p = onward.point;
+        direction = onward.direction;
         n = direction;
-        sigma = sqrt(min(on.variance / on.share + max(1.0 - dot(mean, mean), 0.0), 1.0));
+        sigma = onward.sigma;
     }
     return sum;
 }
+
+vec3 surroundingRadiance(vec3 p, vec3 n, vec3 direction, float sigma) { return radianceFrom(0, p, n, direction, sigma); }

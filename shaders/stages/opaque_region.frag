@@ -1,13 +1,14 @@
 // opaque_region.frag: opaque surfaces of one material, by the pixels that show them (geometry.frag, material_depth.frag): deferred
 // shading [Deering88]. Triangles of a fine mesh are smaller than the blocks of pixels that machines shade, which would shade most
 // pixels several times.
-// Limits   no maps and no colours of vertices: the G-buffer holds depth and normal.
+// Limits   no maps and no colours of vertices: the G-buffer holds depth, normal and tangent.
 #version 450
 #include "interface/frame.glsl"
 #include "interface/lights.glsl"
 #include "interface/material.glsl"
 #include "refraction/exit_surface.glsl"
 #include "stages/material_features.glsl"
+#include "stages/packed_tangent.glsl"
 
 layout(binding = 28) uniform usampler2D geometry;
 
@@ -16,7 +17,7 @@ layout(location = 0) out vec4 outColor;
 // What opaque.vert would have sent.
 vec3 inPosition;
 vec3 inNormal;
-const vec4 inTangent = vec4(0.0);
+vec4 inTangent;
 const vec4 inColor = vec4(1.0);
 const vec4 inUv01 = vec4(0.0);
 const vec4 inUv23 = vec4(0.0);
@@ -28,5 +29,7 @@ void main() {
     InteriorView view = interiorView(frame.clipFromWorld, frame.worldFromClip, frame.picture.xy);
     inPosition = interiorWorld(view, gl_FragCoord.xy, uintBitsToFloat(texel.x));
     inNormal = octDecode(vec2(uintBitsToFloat(texel.y), uintBitsToFloat(texel.z))); // on the viewer's side already
+    inTangent = vec4(0.0);
+    if (brushedLobes > 0) inTangent = unpackedTangent(texel.w, inNormal);
     outColor = opaqueColor(surfaceBaseColor());
 }

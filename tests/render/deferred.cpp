@@ -121,12 +121,15 @@ TEST_P(Render, a_fine_mesh_keeps_every_pixel_of_its_outline) {
   }
 }
 
-// The inner side of a bowl, and what the near plane cuts open.
+// The inner side of a bowl, brushed aslant, and what the near plane cuts open.
 TEST_P(Render, both_sides_of_a_fine_mesh_are_the_same_by_pixels) {
   for (const float distance : {4.0f, 0.9f}) {
     frame::FrameDesc desc = from({0.2f, 0.1f, distance});
     desc.camera.near = 0.5f;
-    const scene::Scene scene = bowl(metal(0.2f));
+    scene::Material brushed = metal(0.2f);
+    brushed.anisotropy_strength = 0.7f;
+    brushed.anisotropy_rotation = 0.5f;
+    const scene::Scene scene = bowl(brushed);
     EXPECT_TRUE(pictures_agree(draw(scene, {sky(), desc}), draw(by_triangle(scene), {sky(), desc}),
                                {.difference = display_step, .fraction_over = 0.0}))
         << distance;
