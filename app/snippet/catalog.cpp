@@ -47,7 +47,7 @@ std::size_t shared_letters(const std::string& a, const std::string& b) {
 
 std::vector<Snippet> catalog(const fs::path& shaders) {
   std::vector<Snippet> all;
-  for (const char* folder : {"bsdf", "color", "environment", "refraction"})
+  for (const char* folder : {"bsdf", "color", "environment", "neighbours", "refraction"})
     for (const fs::path& file : glsl::list_snippets(shaders, folder))
       all.push_back(read(shaders, file));
   return all;

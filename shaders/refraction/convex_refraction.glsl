@@ -41,7 +41,10 @@ ComposedPair engineLeavingPair(InnerLobe inner, bool core, ExitSurface s, Wideni
 }
 
 // What the exit reflects inside leaves a convex body by its near face, again and again: a geometric series. Nothing leaves a face
-// wider than a diffuse one sends light, 0.606 radians per axis.
+// wider than a diffuse one sends light, 0.606 radians per axis. It comes from where the camera does not look: a part of the
+// environment there is occluded, not known which, taken for half.
+const float SCATTERED_SEEN = 0.5;
+
 vec3 internallyReflected(GlassFace face, ConvexBody body, InnerLobe inner, float entered, ConvexExit e, float passed) {
   float cosTheta = max(dot(inner.direction, e.surface.n), 0.0);
   InterfaceEnergy own = engineFaceEnergy(cosTheta, body.backAlpha, e.surface.eta);
@@ -55,7 +58,8 @@ vec3 internallyReflected(GlassFace face, ConvexBody body, InnerLobe inner, float
   float spread = sqrt(inner.sigma * inner.sigma + 4.0 * body.backAlpha * body.backAlpha) * body.ior;
   vec3 way = exp(-e.path * body.attenuation);
   vec3 direction = dot(outward, outward) > 0.0 ? outward : near;
-  return entered * w.back * way * internalScatteringEscapes(w, way) * engineEnvironment(direction, min(spread, 0.606));
+  vec3 seen = SCATTERED_SEEN * engineEnvironment(direction, min(spread, 0.606));
+  return entered * w.back * way * internalScatteringEscapes(w, way) * seen;
 }
 
 // What the near face makes of the view: core and tail of its lobe inside.

@@ -1,4 +1,4 @@
-// Made by shaders/wgsl/make of ce7bbf4ee02bb2189a10f1ca33b4633a2c19201b0fcd5d6dd859ee3f255e6e3d: do not edit.
+// Made by shaders/wgsl/make of 621ea428b51bf6355c24a10e3d33144791fba13ce1cb5aec5e3932fc96d45a8f: do not edit.
 struct Tilt {
     p: f32,
     z: f32,
@@ -113,6 +113,20 @@ struct StretchedPart {
     n: vec3<f32>,
     alpha: f32,
     weight: f32,
+}
+
+struct LobeShare {
+    share: f32,
+    direction: vec3<f32>,
+    sigma: f32,
+    distance: f32,
+    n: vec3<f32>,
+}
+
+struct ProxyLobe {
+    direction: vec3<f32>,
+    sigma: f32,
+    albedo: f32,
 }
 
 struct ExitSurface {
@@ -287,11 +301,13 @@ const LOBE_TABLE_SIZE: i32 = 32i;
 const LOBE_TABLE_SLICES: i32 = 5i;
 const STRETCHED_ACROSS: f32 = 0.55f;
 const STRETCHED_ALONG: f32 = 0.03f;
+const LEAST_LOBE: f32 = 0.01f;
 const LEAST_SWING: f32 = 0.05f;
 const LEAVES_NEXT: f32 = 0.65f;
 const EXIT_NOWHERE: f32 = -2f;
 const EXIT_FAR: f32 = 1000000000000000000000000000000f;
 const EXIT_STEPS: i32 = 12i;
+const SCENE_THICK: f32 = 0.1f;
 const SCENE_GUESSES: i32 = 4i;
 const SCENE_STEPS: i32 = 12i;
 const SCENE_SECANTS: i32 = 5i;
@@ -306,6 +322,7 @@ const INTERFACE_LOBE_COSINES: i32 = 25i;
 const INTERFACE_LOBE_ALPHAS: i32 = 16i;
 const INTERFACE_SLICES: i32 = 13i;
 const INTERFACE_GREATEST_ETA: f32 = 4f;
+const SCATTERED_SEEN: f32 = 0.5f;
 const THIN_WALL_COSINES: i32 = 25i;
 const THIN_WALL_ALPHAS: i32 = 16i;
 const THIN_WALL_SLICES: i32 = 13i;
@@ -5065,431 +5082,1145 @@ fn stretchedAlbedo(wo_52: vec3<f32>, alpha_86: vec2<f32>) -> f32 {
     return min(_e42, 1f);
 }
 
+fn capFormFactor(cosTheta_30: f32, sin2_6: f32) -> f32 {
+    var cosTheta_31: f32;
+    var sin2_7: f32;
+    var within_1: f32;
+    var c_26: f32;
+    var sinTheta: f32;
+    var cot: f32;
+    var y_10: f32;
+    var chord: f32;
+
+    cosTheta_31 = cosTheta_30;
+    sin2_7 = sin2_6;
+    let _e19 = sin2_7;
+    within_1 = min(_e19, 0.999f);
+    let _e23 = cosTheta_31;
+    c_26 = clamp(_e23, -1f, 1f);
+    let _e29 = c_26;
+    let _e30 = c_26;
+    let _e32 = within_1;
+    if ((_e29 * _e30) >= _e32) {
+        let _e34 = within_1;
+        let _e35 = c_26;
+        return (_e34 * max(_e35, 0f));
+    }
+    let _e40 = c_26;
+    let _e41 = c_26;
+    sinTheta = sqrt((1f - (_e40 * _e41)));
+    let _e47 = within_1;
+    cot = sqrt(((1f / max(_e47, 0.000000000001f)) - 1f));
+    let _e55 = cot;
+    let _e57 = c_26;
+    let _e59 = sinTheta;
+    y_10 = clamp(((-(_e55) * _e57) / _e59), -1f, 1f);
+    let _e66 = sinTheta;
+    let _e68 = y_10;
+    let _e69 = y_10;
+    chord = (_e66 * sqrt((1f - (_e68 * _e69))));
+    let _e75 = c_26;
+    let _e76 = y_10;
+    let _e79 = cot;
+    let _e80 = chord;
+    let _e83 = within_1;
+    let _e85 = chord;
+    let _e86 = cot;
+    return clamp((((((_e75 * acos(_e76)) - (_e79 * _e80)) * _e83) + atan((_e85 / _e86))) / 3.1415927f), 0f, 1f);
+}
+
+fn sphereFormFactor(centre: vec3<f32>, radius: f32, n_30: vec3<f32>) -> f32 {
+    var centre_1: vec3<f32>;
+    var radius_1: f32;
+    var n_31: vec3<f32>;
+    var range2_: f32;
+
+    centre_1 = centre;
+    radius_1 = radius;
+    n_31 = n_30;
+    let _e21 = centre_1;
+    let _e22 = centre_1;
+    range2_ = dot(_e21, _e22);
+    let _e25 = range2_;
+    if !((_e25 > 0f)) {
+        return 0f;
+    }
+    let _e30 = centre_1;
+    let _e31 = n_31;
+    let _e33 = range2_;
+    let _e36 = radius_1;
+    let _e37 = radius_1;
+    let _e39 = range2_;
+    let _e41 = capFormFactor((dot(_e30, _e31) * inverseSqrt(_e33)), ((_e36 * _e37) / _e39));
+    return _e41;
+}
+
+fn edgeVector(a_27: vec3<f32>, b_19: vec3<f32>) -> vec3<f32> {
+    var a_28: vec3<f32>;
+    var b_20: vec3<f32>;
+    var across_9: vec3<f32>;
+    var sine: f32;
+    var local_54: vec3<f32>;
+
+    a_28 = a_27;
+    b_20 = b_19;
+    let _e19 = a_28;
+    let _e20 = b_20;
+    across_9 = cross(_e19, _e20);
+    let _e23 = across_9;
+    sine = length(_e23);
+    let _e26 = sine;
+    if (_e26 > 0.0000001f) {
+        let _e29 = across_9;
+        let _e30 = sine;
+        let _e31 = a_28;
+        let _e32 = b_20;
+        let _e35 = sine;
+        local_54 = (_e29 * (atan2(_e30, dot(_e31, _e32)) / _e35));
+    } else {
+        let _e38 = across_9;
+        local_54 = _e38;
+    }
+    let _e40 = local_54;
+    return _e40;
+}
+
+fn rectangleVector(centre_2: vec3<f32>, u_11: vec3<f32>, v_25: vec3<f32>) -> vec3<f32> {
+    var centre_3: vec3<f32>;
+    var u_12: vec3<f32>;
+    var v_26: vec3<f32>;
+    var a_29: vec3<f32>;
+    var b_21: vec3<f32>;
+    var c_27: vec3<f32>;
+    var d_16: vec3<f32>;
+    var sum_13: vec3<f32>;
+    var local_55: f32;
+    var turned: f32;
+
+    centre_3 = centre_2;
+    u_12 = u_11;
+    v_26 = v_25;
+    let _e21 = centre_3;
+    let _e22 = u_12;
+    let _e24 = v_26;
+    a_29 = normalize(((_e21 - _e22) - _e24));
+    let _e28 = centre_3;
+    let _e29 = u_12;
+    let _e31 = v_26;
+    b_21 = normalize(((_e28 + _e29) - _e31));
+    let _e35 = centre_3;
+    let _e36 = u_12;
+    let _e38 = v_26;
+    c_27 = normalize(((_e35 + _e36) + _e38));
+    let _e42 = centre_3;
+    let _e43 = u_12;
+    let _e45 = v_26;
+    d_16 = normalize(((_e42 - _e43) + _e45));
+    let _e49 = a_29;
+    let _e50 = b_21;
+    let _e51 = edgeVector(_e49, _e50);
+    let _e52 = b_21;
+    let _e53 = c_27;
+    let _e54 = edgeVector(_e52, _e53);
+    let _e56 = c_27;
+    let _e57 = d_16;
+    let _e58 = edgeVector(_e56, _e57);
+    let _e60 = d_16;
+    let _e61 = a_29;
+    let _e62 = edgeVector(_e60, _e61);
+    sum_13 = (((_e51 + _e54) + _e58) + _e62);
+    let _e65 = u_12;
+    let _e66 = v_26;
+    let _e68 = centre_3;
+    if (dot(cross(_e65, _e66), _e68) < 0f) {
+        local_55 = -1f;
+    } else {
+        local_55 = 1f;
+    }
+    let _e76 = local_55;
+    turned = _e76;
+    let _e78 = sum_13;
+    let _e79 = turned;
+    return (_e78 * (_e79 / 6.2831855f));
+}
+
+fn rectangleFormFactor(centre_4: vec3<f32>, u_13: vec3<f32>, v_27: vec3<f32>, n_32: vec3<f32>) -> f32 {
+    var centre_5: vec3<f32>;
+    var u_14: vec3<f32>;
+    var v_28: vec3<f32>;
+    var n_33: vec3<f32>;
+    var f_37: vec3<f32>;
+    var size_18: f32;
+    var local_56: f32;
+
+    centre_5 = centre_4;
+    u_14 = u_13;
+    v_28 = v_27;
+    n_33 = n_32;
+    let _e23 = centre_5;
+    let _e24 = u_14;
+    let _e25 = v_28;
+    let _e26 = rectangleVector(_e23, _e24, _e25);
+    f_37 = _e26;
+    let _e28 = f_37;
+    size_18 = length(_e28);
+    let _e31 = size_18;
+    if (_e31 > 0f) {
+        let _e34 = f_37;
+        let _e35 = n_33;
+        let _e37 = size_18;
+        let _e39 = size_18;
+        let _e40 = capFormFactor((dot(_e34, _e35) / _e37), _e39);
+        local_56 = _e40;
+    } else {
+        local_56 = 0f;
+    }
+    let _e43 = local_56;
+    return _e43;
+}
+
+fn noShare(direction: vec3<f32>) -> LobeShare {
+    var direction_1: vec3<f32>;
+    var s_8: LobeShare;
+
+    direction_1 = direction;
+    s_8.share = 0f;
+    let _e22 = direction_1;
+    s_8.direction = _e22;
+    s_8.sigma = 0f;
+    s_8.distance = 0f;
+    let _e28 = direction_1;
+    s_8.n = -(_e28);
+    let _e30 = s_8;
+    return _e30;
+}
+
+fn lobeIntegral(x_20: f32) -> f32 {
+    var x_21: f32;
+    var t_24: f32;
+
+    x_21 = x_20;
+    let _e18 = x_21;
+    t_24 = clamp(_e18, -6f, 6f);
+    let _e26 = t_24;
+    let _e30 = t_24;
+    let _e32 = t_24;
+    return (1f / (1f + exp((-(_e26) * (1.595769f + ((0.0715628f * _e30) * _e32))))));
+}
+
+fn sphereShare(centre_6: vec3<f32>, radius_2: f32, direction_2: vec3<f32>, sigma_2: f32) -> LobeShare {
+    var centre_7: vec3<f32>;
+    var radius_3: f32;
+    var direction_3: vec3<f32>;
+    var sigma_3: f32;
+    var s_9: f32;
+    var range_1: f32;
+    var axis: vec3<f32>;
+    var sinRho: f32;
+    var rho: f32;
+    var theta: f32;
+    var found: LobeShare;
+    var u2_: f32;
+    var curved: f32;
+    var reach: f32;
+    var middle_1: f32;
+    var beside_1: f32;
+    var disc: f32;
+    var off: f32;
+    var towards: vec3<f32>;
+    var side_3: f32;
+    var across_10: f32;
+
+    centre_7 = centre_6;
+    radius_3 = radius_2;
+    direction_3 = direction_2;
+    sigma_3 = sigma_2;
+    let _e24 = sigma_3;
+    s_9 = clamp(_e24, LEAST_LOBE, 0.65f);
+    let _e28 = centre_7;
+    range_1 = length(_e28);
+    let _e31 = range_1;
+    let _e33 = radius_3;
+    if !((_e31 > (0.8f * _e33))) {
+        let _e37 = direction_3;
+        let _e38 = noShare(_e37);
+        return _e38;
+    }
+    let _e39 = centre_7;
+    let _e40 = range_1;
+    axis = (_e39 / vec3(_e40));
+    let _e44 = radius_3;
+    let _e45 = range_1;
+    sinRho = clamp((_e44 / _e45), 0.000001f, 0.999f);
+    let _e51 = sinRho;
+    rho = asin(_e51);
+    let _e56 = direction_3;
+    let _e57 = axis;
+    theta = (2f * asin(min((0.5f * length((_e56 - _e57))), 1f)));
+    let _e66 = direction_3;
+    let _e67 = noShare(_e66);
+    found = _e67;
+    let _e69 = theta;
+    let _e70 = rho;
+    let _e72 = s_9;
+    if (_e69 > (_e70 + (4f * _e72))) {
+        let _e76 = found;
+        return _e76;
+    }
+    let _e77 = rho;
+    let _e78 = rho;
+    let _e80 = s_9;
+    let _e81 = s_9;
+    u2_ = ((_e77 * _e78) / (_e80 * _e81));
+    let _e86 = rho;
+    let _e89 = sinRho;
+    let _e90 = sinRho;
+    let _e95 = sinRho;
+    curved = (((0.9f * _e86) * sqrt((1f - (_e89 * _e90)))) / _e95);
+    let _e98 = rho;
+    let _e99 = u2_;
+    let _e102 = u2_;
+    let _e105 = curved;
+    let _e110 = s_9;
+    reach = ((_e98 * sqrt(((_e99 + 1f) / ((_e102 + 1f) + _e105)))) / _e110);
+    let _e114 = reach;
+    let _e115 = lobeIntegral(_e114);
+    middle_1 = max(((2f * _e115) - 1f), 0.000001f);
+    let _e122 = reach;
+    let _e123 = theta;
+    let _e124 = s_9;
+    let _e127 = lobeIntegral((_e122 - (_e123 / _e124)));
+    let _e128 = reach;
+    let _e130 = theta;
+    let _e131 = s_9;
+    let _e134 = lobeIntegral((-(_e128) - (_e130 / _e131)));
+    beside_1 = (_e127 - _e134);
+    let _e141 = u2_;
+    let _e145 = beside_1;
+    let _e146 = middle_1;
+    let _e154 = range_1;
+    let _e155 = radius_3;
+    found.share = (((1f - exp((-0.5f * _e141))) * clamp((_e145 / _e146), 0f, 1f)) * smoothstep(0.8f, 1f, (_e154 / _e155)));
+    let _e160 = rho;
+    let _e162 = rho;
+    disc = ((0.25f * _e160) * _e162);
+    let _e165 = theta;
+    let _e166 = disc;
+    let _e168 = disc;
+    let _e169 = s_9;
+    let _e170 = s_9;
+    let _e175 = rho;
+    off = min(((_e165 * _e166) / (_e168 + (_e169 * _e170))), (0.98f * _e175));
+    let _e179 = direction_3;
+    let _e180 = direction_3;
+    let _e181 = axis;
+    let _e183 = axis;
+    towards = (_e179 - (dot(_e180, _e181) * _e183));
+    let _e187 = towards;
+    side_3 = length(_e187);
+    let _e190 = side_3;
+    if (_e190 > 0.000001f) {
+        let _e194 = off;
+        let _e196 = axis;
+        let _e198 = off;
+        let _e200 = side_3;
+        let _e202 = towards;
+        found.direction = ((cos(_e194) * _e196) + ((sin(_e198) / _e200) * _e202));
+    }
+    let _e205 = range_1;
+    let _e206 = off;
+    across_10 = (_e205 * sin(_e206));
+    let _e211 = range_1;
+    let _e212 = off;
+    let _e215 = radius_3;
+    let _e216 = radius_3;
+    let _e218 = across_10;
+    let _e219 = across_10;
+    found.distance = max(((_e211 * cos(_e212)) - sqrt(max(((_e215 * _e216) - (_e218 * _e219)), 0f))), 0f);
+    let _e229 = found;
+    let _e231 = found;
+    let _e234 = centre_7;
+    found.n = normalize(((_e229.distance * _e231.direction) - _e234));
+    let _e238 = s_9;
+    let _e240 = rho;
+    found.sigma = min(_e238, (0.5f * _e240));
+    let _e243 = found;
+    return _e243;
+}
+
+fn withinEdge(edge_4: vec3<f32>, direction_4: vec3<f32>, along_6: vec3<f32>, beside_2: vec3<f32>, below_3: f32, s_10: f32, n_34: vec3<f32>, horizon: f32) -> f32 {
+    var edge_5: vec3<f32>;
+    var direction_5: vec3<f32>;
+    var along_7: vec3<f32>;
+    var beside_3: vec3<f32>;
+    var below_4: f32;
+    var s_11: f32;
+    var n_35: vec3<f32>;
+    var horizon_1: f32;
+    var inward: vec3<f32>;
+    var width_3: vec2<f32>;
+    var share_1: f32;
+
+    edge_5 = edge_4;
+    direction_5 = direction_4;
+    along_7 = along_6;
+    beside_3 = beside_2;
+    below_4 = below_3;
+    s_11 = s_10;
+    n_35 = n_34;
+    horizon_1 = horizon;
+    let _e32 = edge_5;
+    let _e33 = edge_5;
+    let _e34 = edge_5;
+    inward = (_e32 * inverseSqrt(max(dot(_e33, _e34), 0.000000000000000000000000000001f)));
+    let _e41 = below_4;
+    let _e42 = inward;
+    let _e43 = along_7;
+    let _e46 = s_11;
+    let _e47 = inward;
+    let _e48 = beside_3;
+    width_3 = vec2<f32>((_e41 * dot(_e42, _e43)), (_e46 * dot(_e47, _e48)));
+    let _e53 = inward;
+    let _e54 = direction_5;
+    let _e56 = width_3;
+    let _e61 = lobeIntegral((dot(_e53, _e54) / max(length(_e56), 0.0001f)));
+    share_1 = _e61;
+    let _e63 = share_1;
+    let _e65 = horizon_1;
+    let _e66 = inward;
+    let _e67 = n_35;
+    return min((_e63 / mix(1f, _e65, clamp(-(dot(_e66, _e67)), 0f, 1f))), 1f);
+}
+
+fn rectangleShare(centre_8: vec3<f32>, u_15: vec3<f32>, v_29: vec3<f32>, direction_6: vec3<f32>, sigma_4: f32) -> LobeShare {
+    var centre_9: vec3<f32>;
+    var u_16: vec3<f32>;
+    var v_30: vec3<f32>;
+    var direction_7: vec3<f32>;
+    var sigma_5: f32;
+    var s_12: f32;
+    var found_1: LobeShare;
+    var n_36: vec3<f32>;
+    var local_57: f32;
+    var facing: f32;
+    var height_1: f32;
+    var sinDown: f32;
+    var z_10: f32;
+    var below_5: f32;
+    var shift_2: f32;
+    var down: f32;
+    var width_4: f32;
+    var level: vec3<f32>;
+    var local_58: vec3<f32>;
+    var middle_2: vec3<f32>;
+    var along_8: vec3<f32>;
+    var beside_4: vec3<f32>;
+    var horizon_2: f32;
+    var a_30: vec3<f32>;
+    var right: f32;
+    var left_1: f32;
+    var upper: f32;
+    var lower: f32;
+    var at: vec3<f32>;
+    var met: vec3<f32>;
+
+    centre_9 = centre_8;
+    u_16 = u_15;
+    v_30 = v_29;
+    direction_7 = direction_6;
+    sigma_5 = sigma_4;
+    let _e26 = sigma_5;
+    s_12 = clamp(_e26, LEAST_LOBE, 0.65f);
+    let _e30 = direction_7;
+    let _e31 = noShare(_e30);
+    found_1 = _e31;
+    let _e33 = u_16;
+    let _e34 = v_30;
+    n_36 = normalize(cross(_e33, _e34));
+    let _e38 = n_36;
+    let _e39 = centre_9;
+    if (dot(_e38, _e39) > 0f) {
+        local_57 = -1f;
+    } else {
+        local_57 = 1f;
+    }
+    let _e47 = local_57;
+    facing = _e47;
+    let _e49 = n_36;
+    let _e50 = facing;
+    n_36 = (_e49 * _e50);
+    let _e52 = centre_9;
+    let _e53 = n_36;
+    height_1 = -(dot(_e52, _e53));
+    let _e57 = direction_7;
+    let _e58 = n_36;
+    sinDown = clamp(-(dot(_e57, _e58)), -1f, 1f);
+    let _e66 = sinDown;
+    let _e68 = s_12;
+    z_10 = (asin(_e66) / _e68);
+    let _e71 = height_1;
+    let _e73 = centre_9;
+    let _e78 = z_10;
+    if (!((_e71 > (0.00001f * length(_e73)))) || (_e78 < -4f)) {
+        let _e83 = found_1;
+        return _e83;
+    }
+    let _e84 = z_10;
+    let _e85 = lobeIntegral(_e84);
+    below_5 = _e85;
+    let _e90 = z_10;
+    let _e92 = z_10;
+    let _e96 = below_5;
+    shift_2 = ((0.3989423f * exp(((-0.5f * _e90) * _e92))) / _e96);
+    let _e99 = sinDown;
+    let _e101 = s_12;
+    let _e102 = shift_2;
+    down = clamp((asin(_e99) + (_e101 * _e102)), 0.02f, 1.5707963f);
+    let _e109 = s_12;
+    let _e111 = z_10;
+    let _e112 = shift_2;
+    let _e115 = shift_2;
+    let _e116 = shift_2;
+    width_4 = (_e109 * sqrt(max(((1f - (_e111 * _e112)) - (_e115 * _e116)), 0.05f)));
+    let _e124 = direction_7;
+    let _e125 = sinDown;
+    let _e126 = n_36;
+    level = (_e124 + (_e125 * _e126));
+    let _e130 = level;
+    let _e131 = level;
+    if (dot(_e130, _e131) > 0.00000001f) {
+        let _e135 = level;
+        local_58 = normalize(_e135);
+    } else {
+        let _e137 = u_16;
+        local_58 = normalize(_e137);
+    }
+    let _e140 = local_58;
+    level = _e140;
+    let _e141 = down;
+    let _e143 = level;
+    let _e145 = down;
+    let _e147 = n_36;
+    middle_2 = ((cos(_e141) * _e143) - (sin(_e145) * _e147));
+    let _e151 = down;
+    let _e154 = level;
+    let _e156 = down;
+    let _e158 = n_36;
+    along_8 = ((-(sin(_e151)) * _e154) - (cos(_e156) * _e158));
+    let _e162 = level;
+    let _e163 = n_36;
+    beside_4 = cross(_e162, _e163);
+    let _e166 = down;
+    let _e168 = width_4;
+    let _e170 = lobeIntegral((sin(_e166) / _e168));
+    horizon_2 = _e170;
+    let _e172 = facing;
+    let _e173 = u_16;
+    a_30 = (_e172 * _e173);
+    let _e176 = centre_9;
+    let _e177 = u_16;
+    let _e179 = facing;
+    let _e180 = v_30;
+    let _e184 = middle_2;
+    let _e185 = along_8;
+    let _e186 = beside_4;
+    let _e187 = width_4;
+    let _e188 = s_12;
+    let _e189 = n_36;
+    let _e190 = horizon_2;
+    let _e191 = withinEdge(-(cross((_e176 + _e177), (_e179 * _e180))), _e184, _e185, _e186, _e187, _e188, _e189, _e190);
+    right = _e191;
+    let _e193 = centre_9;
+    let _e194 = u_16;
+    let _e196 = facing;
+    let _e197 = v_30;
+    let _e200 = middle_2;
+    let _e201 = along_8;
+    let _e202 = beside_4;
+    let _e203 = width_4;
+    let _e204 = s_12;
+    let _e205 = n_36;
+    let _e206 = horizon_2;
+    let _e207 = withinEdge(cross((_e193 - _e194), (_e196 * _e197)), _e200, _e201, _e202, _e203, _e204, _e205, _e206);
+    left_1 = _e207;
+    let _e209 = centre_9;
+    let _e210 = v_30;
+    let _e212 = a_30;
+    let _e214 = middle_2;
+    let _e215 = along_8;
+    let _e216 = beside_4;
+    let _e217 = width_4;
+    let _e218 = s_12;
+    let _e219 = n_36;
+    let _e220 = horizon_2;
+    let _e221 = withinEdge(cross((_e209 + _e210), _e212), _e214, _e215, _e216, _e217, _e218, _e219, _e220);
+    upper = _e221;
+    let _e223 = centre_9;
+    let _e224 = v_30;
+    let _e226 = a_30;
+    let _e229 = middle_2;
+    let _e230 = along_8;
+    let _e231 = beside_4;
+    let _e232 = width_4;
+    let _e233 = s_12;
+    let _e234 = n_36;
+    let _e235 = horizon_2;
+    let _e236 = withinEdge(-(cross((_e223 - _e224), _e226)), _e229, _e230, _e231, _e232, _e233, _e234, _e235);
+    lower = _e236;
+    let _e239 = below_5;
+    let _e240 = right;
+    let _e241 = left_1;
+    let _e248 = upper;
+    let _e249 = lower;
+    found_1.share = ((_e239 * max(((_e240 + _e241) - 1f), 0f)) * max(((_e248 + _e249) - 1f), 0f));
+    let _e256 = height_1;
+    let _e257 = down;
+    let _e260 = middle_2;
+    let _e262 = centre_9;
+    at = (((_e256 / sin(_e257)) * _e260) - _e262);
+    let _e265 = centre_9;
+    let _e266 = at;
+    let _e267 = u_16;
+    let _e269 = u_16;
+    let _e270 = u_16;
+    let _e277 = u_16;
+    let _e280 = at;
+    let _e281 = v_30;
+    let _e283 = v_30;
+    let _e284 = v_30;
+    let _e291 = v_30;
+    met = ((_e265 + (clamp((dot(_e266, _e267) / dot(_e269, _e270)), -1f, 1f) * _e277)) + (clamp((dot(_e280, _e281) / dot(_e283, _e284)), -1f, 1f) * _e291));
+    let _e296 = met;
+    found_1.distance = length(_e296);
+    let _e299 = met;
+    let _e300 = found_1;
+    found_1.direction = (_e299 / vec3(max(_e300.distance, 0.000000000000000000000000000001f)));
+    let _e307 = n_36;
+    found_1.n = _e307;
+    let _e309 = width_4;
+    found_1.sigma = min(_e309, 0.4f);
+    let _e312 = found_1;
+    return _e312;
+}
+
+fn proxyLobe(wo_54: vec3<f32>, n_37: vec3<f32>, alpha_88: f32) -> ProxyLobe {
+    var wo_55: vec3<f32>;
+    var n_38: vec3<f32>;
+    var alpha_89: f32;
+    var c_28: f32;
+    var mirror: vec3<f32>;
+    var lobe_2: ProxyLobe;
+    var narrow: f32;
+    var normal: f32;
+    var grazing: f32;
+    var square_2: f32;
+    var local_59: f32;
+    var edge_6: f32;
+
+    wo_55 = wo_54;
+    n_38 = n_37;
+    alpha_89 = alpha_88;
+    let _e22 = wo_55;
+    let _e23 = n_38;
+    c_28 = clamp(dot(_e22, _e23), 0f, 1f);
+    let _e30 = wo_55;
+    let _e31 = n_38;
+    let _e34 = n_38;
+    let _e36 = wo_55;
+    mirror = (((2f * dot(_e30, _e31)) * _e34) - _e36);
+    let _e41 = mirror;
+    let _e42 = n_38;
+    let _e43 = alpha_89;
+    let _e46 = c_28;
+    let _e49 = alpha_89;
+    lobe_2.direction = normalize(mix(_e41, _e42, vec3((_e43 * (1f + ((1f - _e46) * (1f - _e49)))))));
+    let _e58 = alpha_89;
+    narrow = (1.9f * _e58);
+    let _e62 = narrow;
+    let _e64 = narrow;
+    let _e65 = narrow;
+    lobe_2.sigma = (_e62 * inverseSqrt((1f + ((_e64 * _e65) / 0.5476f))));
+    let _e75 = alpha_89;
+    normal = (1f / (1f + (2.26f * pow(_e75, 2.3f))));
+    let _e84 = alpha_89;
+    grazing = (0.9f - (0.34f * _e84));
+    let _e89 = alpha_89;
+    let _e92 = alpha_89;
+    square_2 = ((1f - _e89) * (1f - _e92));
+    let _e96 = alpha_89;
+    if (_e96 > 0f) {
+        let _e100 = c_28;
+        let _e104 = square_2;
+        let _e106 = square_2;
+        local_59 = pow((1f - _e100), (1.5f + ((4f * _e104) * _e106)));
+    } else {
+        local_59 = 0f;
+    }
+    let _e112 = local_59;
+    edge_6 = _e112;
+    let _e115 = normal;
+    let _e116 = grazing;
+    let _e117 = edge_6;
+    lobe_2.albedo = mix(_e115, _e116, _e117);
+    let _e119 = lobe_2;
+    return _e119;
+}
+
+fn proxyFresnel(f0_8: vec3<f32>, f90_: f32, cosTheta_32: f32, alpha_90: f32) -> vec3<f32> {
+    var f0_9: vec3<f32>;
+    var f90_1: f32;
+    var cosTheta_33: f32;
+    var alpha_91: f32;
+    var c_29: f32;
+    var x_22: f32;
+    var x2_: f32;
+
+    f0_9 = f0_8;
+    f90_1 = f90_;
+    cosTheta_33 = cosTheta_32;
+    alpha_91 = alpha_90;
+    let _e24 = cosTheta_33;
+    let _e29 = alpha_91;
+    c_29 = mix(clamp(_e24, 0f, 1f), 0.65f, sqrt(_e29));
+    let _e34 = c_29;
+    x_22 = (1f - _e34);
+    let _e37 = x_22;
+    let _e38 = x_22;
+    x2_ = (_e37 * _e38);
+    let _e41 = f0_9;
+    let _e42 = f90_1;
+    let _e44 = f0_9;
+    let _e46 = x2_;
+    let _e47 = x2_;
+    let _e49 = x_22;
+    return (_e41 + ((vec3(_e42) - _e44) * ((_e46 * _e47) * _e49)));
+}
+
 fn wideningGgx(lobes_2: i32) -> Widening {
     var lobes_3: i32;
     var k_16: Widening;
-    var local_54: f32;
-    var local_55: f32;
-    var local_56: f32;
+    var local_60: f32;
+    var local_61: f32;
+    var local_62: f32;
 
     lobes_3 = lobes_2;
-    let _e19 = lobes_3;
-    if (_e19 > 1i) {
-        local_54 = 0.7f;
+    let _e20 = lobes_3;
+    if (_e20 > 1i) {
+        local_60 = 0.7f;
     } else {
-        local_54 = 0.6f;
+        local_60 = 0.6f;
     }
-    let _e25 = local_54;
-    k_16.shape = _e25;
-    let _e27 = lobes_3;
-    if (_e27 > 1i) {
-        local_55 = 0.91f;
+    let _e26 = local_60;
+    k_16.shape = _e26;
+    let _e28 = lobes_3;
+    if (_e28 > 1i) {
+        local_61 = 0.91f;
     } else {
-        local_55 = 0.6f;
+        local_61 = 0.6f;
     }
-    let _e33 = local_55;
-    k_16.shapeRays = _e33;
-    let _e35 = lobes_3;
-    if (_e35 > 1i) {
-        local_56 = 1.05f;
+    let _e34 = local_61;
+    k_16.shapeRays = _e34;
+    let _e36 = lobes_3;
+    if (_e36 > 1i) {
+        local_62 = 1.05f;
     } else {
-        local_56 = 0.95f;
+        local_62 = 0.95f;
     }
-    let _e41 = local_56;
-    k_16.energyCore = _e41;
+    let _e42 = local_62;
+    k_16.energyCore = _e42;
     k_16.energyTail = 0.85f;
-    let _e44 = k_16;
-    return _e44;
+    let _e45 = k_16;
+    return _e45;
 }
 
 fn wideningBeckmann(lobes_4: i32) -> Widening {
     var lobes_5: i32;
     var k_17: Widening;
-    var local_57: f32;
-    var local_58: f32;
-    var local_59: f32;
+    var local_63: f32;
+    var local_64: f32;
+    var local_65: f32;
 
     lobes_5 = lobes_4;
-    let _e19 = lobes_5;
-    if (_e19 > 1i) {
-        local_57 = 1f;
+    let _e20 = lobes_5;
+    if (_e20 > 1i) {
+        local_63 = 1f;
     } else {
-        local_57 = 1.2f;
+        local_63 = 1.2f;
     }
-    let _e25 = local_57;
-    k_17.shape = _e25;
-    let _e27 = lobes_5;
-    if (_e27 > 1i) {
-        local_58 = 1.3f;
+    let _e26 = local_63;
+    k_17.shape = _e26;
+    let _e28 = lobes_5;
+    if (_e28 > 1i) {
+        local_64 = 1.3f;
     } else {
-        local_58 = 1.2f;
+        local_64 = 1.2f;
     }
-    let _e33 = local_58;
-    k_17.shapeRays = _e33;
-    let _e35 = lobes_5;
-    if (_e35 > 1i) {
-        local_59 = 1.3f;
+    let _e34 = local_64;
+    k_17.shapeRays = _e34;
+    let _e36 = lobes_5;
+    if (_e36 > 1i) {
+        local_65 = 1.3f;
     } else {
-        local_59 = 1.5f;
+        local_65 = 1.5f;
     }
-    let _e41 = local_59;
-    k_17.energyCore = _e41;
+    let _e42 = local_65;
+    k_17.energyCore = _e42;
     k_17.energyTail = 1.6f;
-    let _e44 = k_17;
-    return _e44;
+    let _e45 = k_17;
+    return _e45;
 }
 
-fn exitTurn(cosTheta_30: f32, pathLength: f32, curvature: vec2<f32>) -> vec2<f32> {
-    var cosTheta_31: f32;
+fn exitTurn(cosTheta_34: f32, pathLength: f32, curvature: vec2<f32>) -> vec2<f32> {
+    var cosTheta_35: f32;
     var pathLength_1: f32;
     var curvature_1: vec2<f32>;
     var turn: vec2<f32>;
 
-    cosTheta_31 = cosTheta_30;
+    cosTheta_35 = cosTheta_34;
     pathLength_1 = pathLength;
     curvature_1 = curvature;
-    let _e21 = pathLength_1;
-    let _e22 = curvature_1;
-    let _e25 = cosTheta_31;
-    let _e29 = pathLength_1;
-    let _e30 = curvature_1;
-    turn = vec2<f32>(((_e21 * _e22.x) / max(_e25, 0.000001f)), (_e29 * _e30.y));
-    let _e35 = turn;
-    return clamp(_e35, vec2(-8f), vec2(8f));
+    let _e22 = pathLength_1;
+    let _e23 = curvature_1;
+    let _e26 = cosTheta_35;
+    let _e30 = pathLength_1;
+    let _e31 = curvature_1;
+    turn = vec2<f32>(((_e22 * _e23.x) / max(_e26, 0.000001f)), (_e30 * _e31.y));
+    let _e36 = turn;
+    return clamp(_e36, vec2(-8f), vec2(8f));
 }
 
-fn sphereTurn(cosTheta_32: f32) -> vec2<f32> {
-    var cosTheta_33: f32;
+fn sphereTurn(cosTheta_36: f32) -> vec2<f32> {
+    var cosTheta_37: f32;
 
-    cosTheta_33 = cosTheta_32;
-    let _e19 = cosTheta_33;
-    return vec2<f32>(2f, (2f * _e19));
+    cosTheta_37 = cosTheta_36;
+    let _e20 = cosTheta_37;
+    return vec2<f32>(2f, (2f * _e20));
 }
 
-fn seeExit(inner: InnerLobe, core: bool, s_8: ExitSurface, k_18: Widening) -> ExitView {
+fn seeExit(inner: InnerLobe, core: bool, s_13: ExitSurface, k_18: Widening) -> ExitView {
     var inner_1: InnerLobe;
     var core_1: bool;
-    var s_9: ExitSurface;
+    var s_14: ExitSurface;
     var k_19: Widening;
-    var v_25: ExitView;
-    var local_60: f32;
+    var v_31: ExitView;
+    var local_66: f32;
     var alpha2_: f32;
     var spread_3: f32;
     var spread2_: f32;
     var rays2_: f32;
-    var local_61: f32;
+    var local_67: f32;
     var rays: f32;
     var shape_1: f32;
     var shape2_: f32;
-    var local_62: f32;
+    var local_68: f32;
     var energy: f32;
-    var local_63: f32;
+    var local_69: f32;
 
     inner_1 = inner;
     core_1 = core;
-    s_9 = s_8;
+    s_14 = s_13;
     k_19 = k_18;
-    let _e26 = inner_1;
-    let _e28 = s_9;
-    v_25.cosTheta = min(dot(_e26.direction, _e28.n), 1f);
-    let _e35 = s_9;
-    v_25.swing = (1f - _e35.turn.x);
-    let _e40 = v_25;
-    if (_e40.swing < 0f) {
-        let _e44 = v_25;
-        local_60 = min(_e44.swing, -0.05f);
+    let _e27 = inner_1;
+    let _e29 = s_14;
+    v_31.cosTheta = min(dot(_e27.direction, _e29.n), 1f);
+    let _e36 = s_14;
+    v_31.swing = (1f - _e36.turn.x);
+    let _e41 = v_31;
+    if (_e41.swing < 0f) {
+        let _e45 = v_31;
+        local_66 = min(_e45.swing, -0.05f);
     } else {
-        let _e49 = v_25;
-        local_60 = max(_e49.swing, LEAST_SWING);
+        let _e50 = v_31;
+        local_66 = max(_e50.swing, LEAST_SWING);
     }
-    let _e53 = local_60;
-    v_25.swing = _e53;
-    let _e54 = s_9;
-    let _e56 = s_9;
-    alpha2_ = (_e54.alpha * _e56.alpha);
-    let _e60 = inner_1;
-    let _e62 = v_25;
-    spread_3 = (_e60.sigma * _e62.swing);
-    let _e66 = spread_3;
+    let _e54 = local_66;
+    v_31.swing = _e54;
+    let _e55 = s_14;
+    let _e57 = s_14;
+    alpha2_ = (_e55.alpha * _e57.alpha);
+    let _e61 = inner_1;
+    let _e63 = v_31;
+    spread_3 = (_e61.sigma * _e63.swing);
     let _e67 = spread_3;
-    spread2_ = (_e66 * _e67);
-    let _e70 = k_19;
-    let _e72 = k_19;
-    let _e75 = spread2_;
-    rays2_ = ((_e70.shape * _e72.shape) * _e75);
-    let _e78 = rays2_;
-    if (_e78 > 0f) {
-        let _e81 = rays2_;
-        let _e82 = alpha2_;
-        let _e83 = rays2_;
-        local_61 = (_e81 / (_e82 + _e83));
+    let _e68 = spread_3;
+    spread2_ = (_e67 * _e68);
+    let _e71 = k_19;
+    let _e73 = k_19;
+    let _e76 = spread2_;
+    rays2_ = ((_e71.shape * _e73.shape) * _e76);
+    let _e79 = rays2_;
+    if (_e79 > 0f) {
+        let _e82 = rays2_;
+        let _e83 = alpha2_;
+        let _e84 = rays2_;
+        local_67 = (_e82 / (_e83 + _e84));
     } else {
-        local_61 = 0f;
+        local_67 = 0f;
     }
-    let _e88 = local_61;
-    rays = _e88;
-    let _e90 = k_19;
-    let _e92 = k_19;
-    let _e94 = rays;
-    shape_1 = mix(_e90.shape, _e92.shapeRays, _e94);
-    let _e97 = alpha2_;
-    let _e98 = shape_1;
+    let _e89 = local_67;
+    rays = _e89;
+    let _e91 = k_19;
+    let _e93 = k_19;
+    let _e95 = rays;
+    shape_1 = mix(_e91.shape, _e93.shapeRays, _e95);
+    let _e98 = alpha2_;
     let _e99 = shape_1;
-    let _e101 = spread2_;
-    shape2_ = (_e97 + ((_e98 * _e99) * _e101));
-    let _e105 = core_1;
-    if _e105 {
-        let _e106 = k_19;
-        local_62 = _e106.energyCore;
+    let _e100 = shape_1;
+    let _e102 = spread2_;
+    shape2_ = (_e98 + ((_e99 * _e100) * _e102));
+    let _e106 = core_1;
+    if _e106 {
+        let _e107 = k_19;
+        local_68 = _e107.energyCore;
     } else {
-        let _e108 = k_19;
-        local_62 = _e108.energyTail;
+        let _e109 = k_19;
+        local_68 = _e109.energyTail;
     }
-    let _e111 = local_62;
-    energy = _e111;
-    let _e114 = shape2_;
-    v_25.alphaShape = min(sqrt(_e114), 1f);
-    let _e119 = alpha2_;
-    let _e120 = energy;
+    let _e112 = local_68;
+    energy = _e112;
+    let _e115 = shape2_;
+    v_31.alphaShape = min(sqrt(_e115), 1f);
+    let _e120 = alpha2_;
     let _e121 = energy;
-    let _e123 = spread2_;
-    v_25.alphaEnergy = min(sqrt((_e119 + ((_e120 * _e121) * _e123))), 1f);
-    let _e130 = shape2_;
-    if (_e130 > 0f) {
-        let _e133 = alpha2_;
-        let _e134 = shape2_;
-        local_63 = (_e133 / _e134);
+    let _e122 = energy;
+    let _e124 = spread2_;
+    v_31.alphaEnergy = min(sqrt((_e120 + ((_e121 * _e122) * _e124))), 1f);
+    let _e131 = shape2_;
+    if (_e131 > 0f) {
+        let _e134 = alpha2_;
+        let _e135 = shape2_;
+        local_69 = (_e134 / _e135);
     } else {
-        local_63 = 1f;
+        local_69 = 1f;
     }
-    let _e138 = local_63;
-    v_25.own = _e138;
-    let _e139 = v_25;
-    return _e139;
+    let _e139 = local_69;
+    v_31.own = _e139;
+    let _e140 = v_31;
+    return _e140;
 }
 
-fn leavingNextAlpha(innerSigma: f32, alpha_88: f32, nextAlpha: f32) -> f32 {
+fn leavingNextAlpha(innerSigma: f32, alpha_92: f32, nextAlpha: f32) -> f32 {
     var innerSigma_1: f32;
-    var alpha_89: f32;
+    var alpha_93: f32;
     var nextAlpha_1: f32;
     var spread_4: f32;
 
     innerSigma_1 = innerSigma;
-    alpha_89 = alpha_88;
+    alpha_93 = alpha_92;
     nextAlpha_1 = nextAlpha;
-    let _e24 = innerSigma_1;
-    spread_4 = (1.3f * _e24);
-    let _e27 = nextAlpha_1;
+    let _e25 = innerSigma_1;
+    spread_4 = (1.3f * _e25);
     let _e28 = nextAlpha_1;
-    let _e31 = alpha_89;
-    let _e33 = alpha_89;
-    let _e36 = spread_4;
+    let _e29 = nextAlpha_1;
+    let _e32 = alpha_93;
+    let _e34 = alpha_93;
     let _e37 = spread_4;
-    return min(sqrt((((_e27 * _e28) + ((3f * _e31) * _e33)) + (_e36 * _e37))), 1f);
+    let _e38 = spread_4;
+    return min(sqrt((((_e28 * _e29) + ((3f * _e32) * _e34)) + (_e37 * _e38))), 1f);
 }
 
-fn convexExit(n_30: vec3<f32>, direction: vec3<f32>, body: ConvexBody) -> ConvexExit {
-    var n_31: vec3<f32>;
-    var direction_1: vec3<f32>;
+fn convexExit(n_39: vec3<f32>, direction_8: vec3<f32>, body: ConvexBody) -> ConvexExit {
+    var n_40: vec3<f32>;
+    var direction_9: vec3<f32>;
     var body_1: ConvexBody;
     var q_1: f32;
-    var c_26: f32;
-    var a_27: f32;
+    var c_30: f32;
+    var a_31: f32;
     var root_2: f32;
-    var local_64: f32;
+    var local_70: f32;
     var scaled: f32;
     var e_6: ConvexExit;
-    var local_65: f32;
+    var local_71: f32;
     var curvature_2: f32;
 
-    n_31 = n_30;
-    direction_1 = direction;
+    n_40 = n_39;
+    direction_9 = direction_8;
     body_1 = body;
-    let _e23 = body_1;
-    let _e25 = body_1;
-    q_1 = clamp((_e23.thickness * _e25.curvature), 0f, 2f);
-    let _e32 = n_31;
-    let _e33 = direction_1;
-    c_26 = max(-(dot(_e32, _e33)), 0.05f);
-    let _e40 = q_1;
-    let _e42 = c_26;
-    a_27 = ((1f - _e40) * _e42);
-    let _e45 = a_27;
-    let _e46 = a_27;
-    let _e48 = q_1;
-    let _e50 = q_1;
-    root_2 = sqrt(((_e45 * _e46) + (_e48 * (2f - _e50))));
-    let _e56 = q_1;
-    if (_e56 < 1f) {
-        let _e60 = q_1;
-        let _e62 = a_27;
-        let _e63 = root_2;
-        local_64 = ((2f - _e60) / (_e62 + _e63));
+    let _e24 = body_1;
+    let _e26 = body_1;
+    q_1 = clamp((_e24.thickness * _e26.curvature), 0f, 2f);
+    let _e33 = n_40;
+    let _e34 = direction_9;
+    c_30 = max(-(dot(_e33, _e34)), 0.05f);
+    let _e41 = q_1;
+    let _e43 = c_30;
+    a_31 = ((1f - _e41) * _e43);
+    let _e46 = a_31;
+    let _e47 = a_31;
+    let _e49 = q_1;
+    let _e51 = q_1;
+    root_2 = sqrt(((_e46 * _e47) + (_e49 * (2f - _e51))));
+    let _e57 = q_1;
+    if (_e57 < 1f) {
+        let _e61 = q_1;
+        let _e63 = a_31;
+        let _e64 = root_2;
+        local_70 = ((2f - _e61) / (_e63 + _e64));
     } else {
-        let _e66 = root_2;
-        let _e67 = a_27;
-        let _e69 = q_1;
-        local_64 = ((_e66 - _e67) / _e69);
+        let _e67 = root_2;
+        let _e68 = a_31;
+        let _e70 = q_1;
+        local_70 = ((_e67 - _e68) / _e70);
     }
-    let _e72 = local_64;
-    scaled = _e72;
-    let _e76 = scaled;
-    let _e77 = body_1;
-    e_6.path = (_e76 * _e77.thickness);
-    let _e82 = q_1;
-    let _e85 = n_31;
-    let _e87 = q_1;
-    let _e88 = scaled;
-    let _e90 = direction_1;
-    e_6.surface.n = normalize((((_e82 - 1f) * _e85) + ((_e87 * _e88) * _e90)));
-    let _e96 = body_1;
-    e_6.surface.alpha = _e96.backAlpha;
-    let _e101 = body_1;
-    e_6.surface.eta = (1f / _e101.ior);
-    let _e104 = body_1;
-    if (_e104.thickness > 0f) {
-        let _e108 = q_1;
-        let _e109 = body_1;
-        local_65 = (_e108 / _e109.thickness);
+    let _e73 = local_70;
+    scaled = _e73;
+    let _e77 = scaled;
+    let _e78 = body_1;
+    e_6.path = (_e77 * _e78.thickness);
+    let _e83 = q_1;
+    let _e86 = n_40;
+    let _e88 = q_1;
+    let _e89 = scaled;
+    let _e91 = direction_9;
+    e_6.surface.n = normalize((((_e83 - 1f) * _e86) + ((_e88 * _e89) * _e91)));
+    let _e97 = body_1;
+    e_6.surface.alpha = _e97.backAlpha;
+    let _e102 = body_1;
+    e_6.surface.eta = (1f / _e102.ior);
+    let _e105 = body_1;
+    if (_e105.thickness > 0f) {
+        let _e109 = q_1;
+        let _e110 = body_1;
+        local_71 = (_e109 / _e110.thickness);
     } else {
-        local_65 = 0f;
+        local_71 = 0f;
     }
-    let _e114 = local_65;
-    curvature_2 = _e114;
-    let _e118 = direction_1;
-    let _e119 = e_6;
-    let _e123 = e_6;
-    let _e125 = curvature_2;
-    let _e127 = exitTurn(dot(_e118, _e119.surface.n), _e123.path, vec2(_e125));
-    e_6.surface.turn = _e127;
-    let _e128 = e_6;
-    return _e128;
+    let _e115 = local_71;
+    curvature_2 = _e115;
+    let _e119 = direction_9;
+    let _e120 = e_6;
+    let _e124 = e_6;
+    let _e126 = curvature_2;
+    let _e128 = exitTurn(dot(_e119, _e120.surface.n), _e124.path, vec2(_e126));
+    e_6.surface.turn = _e128;
+    let _e129 = e_6;
+    return _e129;
 }
 
-fn signNotZero(x_20: f32) -> f32 {
-    var x_21: f32;
-    var local_66: f32;
+fn signNotZero(x_23: f32) -> f32 {
+    var x_24: f32;
+    var local_72: f32;
 
-    x_21 = x_20;
-    let _e19 = x_21;
-    if (_e19 < 0f) {
-        local_66 = -1f;
+    x_24 = x_23;
+    let _e20 = x_24;
+    if (_e20 < 0f) {
+        local_72 = -1f;
     } else {
-        local_66 = 1f;
+        local_72 = 1f;
     }
-    let _e26 = local_66;
-    return _e26;
+    let _e27 = local_72;
+    return _e27;
 }
 
-fn octEncode(n_32: vec3<f32>) -> vec2<f32> {
-    var n_33: vec3<f32>;
-    var s_10: f32;
+fn octEncode(n_41: vec3<f32>) -> vec2<f32> {
+    var n_42: vec3<f32>;
+    var s_15: f32;
     var p_3: vec2<f32>;
 
-    n_33 = n_32;
-    let _e20 = n_33;
-    let _e23 = n_33;
-    let _e27 = n_33;
-    s_10 = (1f / ((abs(_e20.x) + abs(_e23.y)) + abs(_e27.z)));
-    let _e33 = n_33;
-    let _e35 = s_10;
-    let _e37 = n_33;
-    let _e39 = s_10;
-    p_3 = vec2<f32>((_e33.x * _e35), (_e37.y * _e39));
-    let _e43 = n_33;
-    if (_e43.z >= 0f) {
-        let _e47 = p_3;
-        return _e47;
+    n_42 = n_41;
+    let _e21 = n_42;
+    let _e24 = n_42;
+    let _e28 = n_42;
+    s_15 = (1f / ((abs(_e21.x) + abs(_e24.y)) + abs(_e28.z)));
+    let _e34 = n_42;
+    let _e36 = s_15;
+    let _e38 = n_42;
+    let _e40 = s_15;
+    p_3 = vec2<f32>((_e34.x * _e36), (_e38.y * _e40));
+    let _e44 = n_42;
+    if (_e44.z >= 0f) {
+        let _e48 = p_3;
+        return _e48;
     }
-    let _e49 = p_3;
-    let _e53 = p_3;
-    let _e55 = signNotZero(_e53.x);
-    let _e58 = p_3;
-    let _e62 = p_3;
-    let _e64 = signNotZero(_e62.y);
-    return vec2<f32>(((1f - abs(_e49.y)) * _e55), ((1f - abs(_e58.x)) * _e64));
+    let _e50 = p_3;
+    let _e54 = p_3;
+    let _e56 = signNotZero(_e54.x);
+    let _e59 = p_3;
+    let _e63 = p_3;
+    let _e65 = signNotZero(_e63.y);
+    return vec2<f32>(((1f - abs(_e50.y)) * _e56), ((1f - abs(_e59.x)) * _e65));
 }
 
 fn octDecode(p_4: vec2<f32>) -> vec3<f32> {
     var p_5: vec2<f32>;
-    var z_10: f32;
+    var z_11: f32;
     var fold: f32;
 
     p_5 = p_4;
-    let _e20 = p_5;
-    let _e24 = p_5;
-    z_10 = ((1f - abs(_e20.x)) - abs(_e24.y));
-    let _e29 = z_10;
-    fold = max(-(_e29), 0f);
-    let _e34 = p_5;
-    let _e36 = fold;
-    let _e37 = p_5;
-    let _e39 = signNotZero(_e37.x);
-    let _e42 = p_5;
-    let _e44 = fold;
-    let _e45 = p_5;
-    let _e47 = signNotZero(_e45.y);
-    let _e50 = z_10;
-    return normalize(vec3<f32>((_e34.x - (_e36 * _e39)), (_e42.y - (_e44 * _e47)), _e50));
+    let _e21 = p_5;
+    let _e25 = p_5;
+    z_11 = ((1f - abs(_e21.x)) - abs(_e25.y));
+    let _e30 = z_11;
+    fold = max(-(_e30), 0f);
+    let _e35 = p_5;
+    let _e37 = fold;
+    let _e38 = p_5;
+    let _e40 = signNotZero(_e38.x);
+    let _e43 = p_5;
+    let _e45 = fold;
+    let _e46 = p_5;
+    let _e48 = signNotZero(_e46.y);
+    let _e51 = z_11;
+    return normalize(vec3<f32>((_e35.x - (_e37 * _e40)), (_e43.y - (_e45 * _e48)), _e51));
 }
 
-fn interiorView(clipFromWorld: mat4x4<f32>, worldFromClip: mat4x4<f32>, size_18: vec2<f32>) -> InteriorView {
+fn interiorView(clipFromWorld: mat4x4<f32>, worldFromClip: mat4x4<f32>, size_19: vec2<f32>) -> InteriorView {
     var clipFromWorld_1: mat4x4<f32>;
     var worldFromClip_1: mat4x4<f32>;
-    var size_19: vec2<f32>;
+    var size_20: vec2<f32>;
     var view: InteriorView;
-    var right: vec3<f32>;
+    var right_1: vec3<f32>;
     var depth: vec3<f32>;
     var w_22: vec3<f32>;
     var perspective: bool;
-    var local_67: vec3<f32>;
-    var v_26: vec3<f32>;
+    var local_73: vec3<f32>;
+    var v_32: vec3<f32>;
 
     clipFromWorld_1 = clipFromWorld;
     worldFromClip_1 = worldFromClip;
-    size_19 = size_18;
-    let _e25 = clipFromWorld_1;
-    view.clipFromWorld = _e25;
-    let _e27 = worldFromClip_1;
-    view.worldFromClip = _e27;
-    let _e29 = size_19;
-    view.size = _e29;
-    let _e34 = clipFromWorld_1[0][0];
-    let _e39 = clipFromWorld_1[1][0];
-    let _e44 = clipFromWorld_1[2][0];
-    right = vec3<f32>(_e34, _e39, _e44);
-    let _e51 = clipFromWorld_1[0][2];
-    let _e56 = clipFromWorld_1[1][2];
-    let _e61 = clipFromWorld_1[2][2];
-    depth = vec3<f32>(_e51, _e56, _e61);
-    let _e68 = clipFromWorld_1[0][3];
-    let _e73 = clipFromWorld_1[1][3];
-    let _e78 = clipFromWorld_1[2][3];
-    w_22 = vec3<f32>(_e68, _e73, _e78);
-    let _e83 = size_19;
-    let _e85 = right;
-    view.texelWidth = (2f / (_e83.x * length(_e85)));
-    let _e89 = w_22;
+    size_20 = size_19;
+    let _e26 = clipFromWorld_1;
+    view.clipFromWorld = _e26;
+    let _e28 = worldFromClip_1;
+    view.worldFromClip = _e28;
+    let _e30 = size_20;
+    view.size = _e30;
+    let _e35 = clipFromWorld_1[0][0];
+    let _e40 = clipFromWorld_1[1][0];
+    let _e45 = clipFromWorld_1[2][0];
+    right_1 = vec3<f32>(_e35, _e40, _e45);
+    let _e52 = clipFromWorld_1[0][2];
+    let _e57 = clipFromWorld_1[1][2];
+    let _e62 = clipFromWorld_1[2][2];
+    depth = vec3<f32>(_e52, _e57, _e62);
+    let _e69 = clipFromWorld_1[0][3];
+    let _e74 = clipFromWorld_1[1][3];
+    let _e79 = clipFromWorld_1[2][3];
+    w_22 = vec3<f32>(_e69, _e74, _e79);
+    let _e84 = size_20;
+    let _e86 = right_1;
+    view.texelWidth = (2f / (_e84.x * length(_e86)));
     let _e90 = w_22;
-    perspective = (dot(_e89, _e90) > 0f);
-    let _e95 = perspective;
-    if _e95 {
-        let _e96 = w_22;
-        local_67 = normalize(_e96);
+    let _e91 = w_22;
+    perspective = (dot(_e90, _e91) > 0f);
+    let _e96 = perspective;
+    if _e96 {
+        let _e97 = w_22;
+        local_73 = normalize(_e97);
     } else {
-        let _e98 = depth;
-        local_67 = -(normalize(_e98));
+        let _e99 = depth;
+        local_73 = -(normalize(_e99));
     }
-    let _e102 = local_67;
-    v_26 = _e102;
-    let _e105 = view;
-    let _e107 = depth;
-    let _e108 = v_26;
-    let _e111 = w_22;
-    let _e112 = v_26;
-    view.texelDepth = (_e105.texelWidth * vec2<f32>(-(dot(_e107, _e108)), dot(_e111, _e112)));
-    let _e116 = view;
-    return _e116;
+    let _e103 = local_73;
+    v_32 = _e103;
+    let _e106 = view;
+    let _e108 = depth;
+    let _e109 = v_32;
+    let _e112 = w_22;
+    let _e113 = v_32;
+    view.texelDepth = (_e106.texelWidth * vec2<f32>(-(dot(_e108, _e109)), dot(_e112, _e113)));
+    let _e117 = view;
+    return _e117;
 }
 
 fn interiorTexelDepth(view_1: InteriorView, depth_1: f32) -> f32 {
@@ -5498,10 +6229,10 @@ fn interiorTexelDepth(view_1: InteriorView, depth_1: f32) -> f32 {
 
     view_2 = view_1;
     depth_2 = depth_1;
-    let _e21 = view_2;
-    let _e24 = view_2;
-    let _e27 = depth_2;
-    return (_e21.texelDepth.x + (_e24.texelDepth.y * _e27));
+    let _e22 = view_2;
+    let _e25 = view_2;
+    let _e28 = depth_2;
+    return (_e22.texelDepth.x + (_e25.texelDepth.y * _e28));
 }
 
 fn interiorTexelWidth(view_3: InteriorView, w_23: f32) -> f32 {
@@ -5510,142 +6241,142 @@ fn interiorTexelWidth(view_3: InteriorView, w_23: f32) -> f32 {
 
     view_4 = view_3;
     w_24 = w_23;
-    let _e21 = view_4;
-    let _e23 = w_24;
-    return (_e21.texelWidth * _e23);
+    let _e22 = view_4;
+    let _e24 = w_24;
+    return (_e22.texelWidth * _e24);
 }
 
-fn interiorWorld(view_5: InteriorView, at: vec2<f32>, depth_3: f32) -> vec3<f32> {
+fn interiorWorld(view_5: InteriorView, at_1: vec2<f32>, depth_3: f32) -> vec3<f32> {
     var view_6: InteriorView;
-    var at_1: vec2<f32>;
+    var at_2: vec2<f32>;
     var depth_4: f32;
     var clip: vec2<f32>;
     var p_6: vec4<f32>;
 
     view_6 = view_5;
-    at_1 = at;
+    at_2 = at_1;
     depth_4 = depth_3;
-    let _e24 = at_1;
-    let _e27 = view_6;
-    let _e35 = at_1;
-    let _e38 = view_6;
-    clip = vec2<f32>((((2f * _e24.x) / _e27.size.x) - 1f), (1f - ((2f * _e35.y) / _e38.size.y)));
-    let _e45 = view_6;
-    let _e47 = clip;
-    let _e49 = clip;
-    let _e51 = depth_4;
-    p_6 = (_e45.worldFromClip * vec4<f32>(_e47.x, _e49.y, _e51, 1f));
-    let _e56 = p_6;
-    let _e58 = p_6;
-    let _e60 = p_6;
-    let _e63 = p_6;
-    return (vec3<f32>(_e56.x, _e58.y, _e60.z) / vec3(_e63.w));
+    let _e25 = at_2;
+    let _e28 = view_6;
+    let _e36 = at_2;
+    let _e39 = view_6;
+    clip = vec2<f32>((((2f * _e25.x) / _e28.size.x) - 1f), (1f - ((2f * _e36.y) / _e39.size.y)));
+    let _e46 = view_6;
+    let _e48 = clip;
+    let _e50 = clip;
+    let _e52 = depth_4;
+    p_6 = (_e46.worldFromClip * vec4<f32>(_e48.x, _e50.y, _e52, 1f));
+    let _e57 = p_6;
+    let _e59 = p_6;
+    let _e61 = p_6;
+    let _e64 = p_6;
+    return (vec3<f32>(_e57.x, _e59.y, _e61.z) / vec3(_e64.w));
 }
 
-fn exitRay(view_7: InteriorView, origin: vec3<f32>, direction_2: vec3<f32>) -> ExitRay {
+fn exitRay(view_7: InteriorView, origin: vec3<f32>, direction_10: vec3<f32>) -> ExitRay {
     var view_8: InteriorView;
     var origin_1: vec3<f32>;
-    var direction_3: vec3<f32>;
+    var direction_11: vec3<f32>;
     var o_2: vec4<f32>;
-    var d_16: vec4<f32>;
+    var d_17: vec4<f32>;
     var h_14: vec2<f32>;
     var ray: ExitRay;
 
     view_8 = view_7;
     origin_1 = origin;
-    direction_3 = direction_2;
-    let _e26 = view_8;
-    let _e28 = origin_1;
-    o_2 = (_e26.clipFromWorld * vec4<f32>(_e28.x, _e28.y, _e28.z, 1f));
-    let _e36 = view_8;
-    let _e38 = direction_3;
-    d_16 = (_e36.clipFromWorld * vec4<f32>(_e38.x, _e38.y, _e38.z, 0f));
-    let _e47 = view_8;
-    h_14 = (0.5f * _e47.size);
-    let _e53 = h_14;
-    let _e55 = o_2;
-    let _e57 = o_2;
-    let _e61 = h_14;
-    let _e63 = o_2;
-    let _e65 = o_2;
-    let _e69 = o_2;
-    let _e71 = o_2;
-    ray.origin = vec4<f32>((_e53.x * (_e55.w + _e57.x)), (_e61.y * (_e63.w - _e65.y)), _e69.z, _e71.w);
-    let _e75 = h_14;
-    let _e77 = d_16;
-    let _e79 = d_16;
-    let _e83 = h_14;
-    let _e85 = d_16;
-    let _e87 = d_16;
-    let _e91 = d_16;
-    let _e93 = d_16;
-    ray.direction = vec4<f32>((_e75.x * (_e77.w + _e79.x)), (_e83.y * (_e85.w - _e87.y)), _e91.z, _e93.w);
-    let _e96 = ray;
-    return _e96;
+    direction_11 = direction_10;
+    let _e27 = view_8;
+    let _e29 = origin_1;
+    o_2 = (_e27.clipFromWorld * vec4<f32>(_e29.x, _e29.y, _e29.z, 1f));
+    let _e37 = view_8;
+    let _e39 = direction_11;
+    d_17 = (_e37.clipFromWorld * vec4<f32>(_e39.x, _e39.y, _e39.z, 0f));
+    let _e48 = view_8;
+    h_14 = (0.5f * _e48.size);
+    let _e54 = h_14;
+    let _e56 = o_2;
+    let _e58 = o_2;
+    let _e62 = h_14;
+    let _e64 = o_2;
+    let _e66 = o_2;
+    let _e70 = o_2;
+    let _e72 = o_2;
+    ray.origin = vec4<f32>((_e54.x * (_e56.w + _e58.x)), (_e62.y * (_e64.w - _e66.y)), _e70.z, _e72.w);
+    let _e76 = h_14;
+    let _e78 = d_17;
+    let _e80 = d_17;
+    let _e84 = h_14;
+    let _e86 = d_17;
+    let _e88 = d_17;
+    let _e92 = d_17;
+    let _e94 = d_17;
+    ray.direction = vec4<f32>((_e76.x * (_e78.w + _e80.x)), (_e84.y * (_e86.w - _e88.y)), _e92.z, _e94.w);
+    let _e97 = ray;
+    return _e97;
 }
 
-fn exitAt(ray_1: ExitRay, t_24: f32) -> vec4<f32> {
+fn exitAt(ray_1: ExitRay, t_25: f32) -> vec4<f32> {
     var ray_2: ExitRay;
-    var t_25: f32;
+    var t_26: f32;
     var p_7: vec4<f32>;
-    var s_11: f32;
+    var s_16: f32;
 
     ray_2 = ray_1;
-    t_25 = t_24;
-    let _e24 = ray_2;
-    let _e26 = t_25;
-    let _e27 = ray_2;
-    p_7 = (_e24.origin + (_e26 * _e27.direction));
-    let _e33 = p_7;
-    s_11 = (1f / _e33.w);
-    let _e37 = p_7;
-    let _e39 = s_11;
-    let _e41 = p_7;
-    let _e43 = s_11;
-    let _e45 = p_7;
-    let _e47 = s_11;
-    let _e49 = p_7;
-    return vec4<f32>((_e37.x * _e39), (_e41.y * _e43), (_e45.z * _e47), _e49.w);
+    t_26 = t_25;
+    let _e25 = ray_2;
+    let _e27 = t_26;
+    let _e28 = ray_2;
+    p_7 = (_e25.origin + (_e27 * _e28.direction));
+    let _e34 = p_7;
+    s_16 = (1f / _e34.w);
+    let _e38 = p_7;
+    let _e40 = s_16;
+    let _e42 = p_7;
+    let _e44 = s_16;
+    let _e46 = p_7;
+    let _e48 = s_16;
+    let _e50 = p_7;
+    return vec4<f32>((_e38.x * _e40), (_e42.y * _e44), (_e46.z * _e48), _e50.w);
 }
 
-fn exitOnPicture(view_9: InteriorView, at_2: vec4<f32>) -> bool {
+fn exitOnPicture(view_9: InteriorView, at_3: vec4<f32>) -> bool {
     var view_10: InteriorView;
-    var at_3: vec4<f32>;
+    var at_4: vec4<f32>;
 
     view_10 = view_9;
-    at_3 = at_2;
-    let _e24 = at_3;
-    let _e28 = at_3;
-    let _e33 = at_3;
-    let _e38 = at_3;
-    let _e40 = view_10;
-    let _e45 = at_3;
-    let _e47 = view_10;
-    return (((((_e24.w > 0f) && (_e28.x >= 0f)) && (_e33.y >= 0f)) && (_e38.x < _e40.size.x)) && (_e45.y < _e47.size.y));
+    at_4 = at_3;
+    let _e25 = at_4;
+    let _e29 = at_4;
+    let _e34 = at_4;
+    let _e39 = at_4;
+    let _e41 = view_10;
+    let _e46 = at_4;
+    let _e48 = view_10;
+    return (((((_e25.w > 0f) && (_e29.x >= 0f)) && (_e34.y >= 0f)) && (_e39.x < _e41.size.x)) && (_e46.y < _e48.size.y));
 }
 
 fn exitStretches(depths: vec4<f32>) -> vec4<f32> {
     var depths_1: vec4<f32>;
 
     depths_1 = depths;
-    let _e22 = depths_1;
-    let _e24 = depths_1;
-    if (_e22.x < _e24.y) {
-        let _e28 = depths_1;
-        let _e30 = depths_1;
-        let _e32 = depths_1;
-        return vec4<f32>(2f, _e28.y, _e30.x, _e32.w);
+    let _e23 = depths_1;
+    let _e25 = depths_1;
+    if (_e23.x < _e25.y) {
+        let _e29 = depths_1;
+        let _e31 = depths_1;
+        let _e33 = depths_1;
+        return vec4<f32>(2f, _e29.y, _e31.x, _e33.w);
     }
-    let _e35 = depths_1;
-    let _e37 = depths_1;
-    let _e40 = depths_1;
-    if ((_e35.z > _e37.y) && (_e40.w > 0f)) {
-        let _e45 = depths_1;
-        let _e47 = depths_1;
-        return vec4<f32>(_e45.x, _e47.w, 0f, 0f);
+    let _e36 = depths_1;
+    let _e38 = depths_1;
+    let _e41 = depths_1;
+    if ((_e36.z > _e38.y) && (_e41.w > 0f)) {
+        let _e46 = depths_1;
+        let _e48 = depths_1;
+        return vec4<f32>(_e46.x, _e48.w, 0f, 0f);
     }
-    let _e52 = depths_1;
-    return _e52;
+    let _e53 = depths_1;
+    return _e53;
 }
 
 fn exitInside(stretches: vec4<f32>, depth_5: f32) -> vec2<f32> {
@@ -5655,396 +6386,396 @@ fn exitInside(stretches: vec4<f32>, depth_5: f32) -> vec2<f32> {
 
     stretches_1 = stretches;
     depth_6 = depth_5;
-    let _e27 = stretches_1;
-    if (_e27.y > 0f) {
-        let _e32 = stretches_1;
-        let _e34 = depth_6;
-        let _e36 = depth_6;
-        let _e37 = stretches_1;
-        inside_1.x = min((_e32.x - _e34), (_e36 - _e37.y));
+    let _e28 = stretches_1;
+    if (_e28.y > 0f) {
+        let _e33 = stretches_1;
+        let _e35 = depth_6;
+        let _e37 = depth_6;
+        let _e38 = stretches_1;
+        inside_1.x = min((_e33.x - _e35), (_e37 - _e38.y));
     }
-    let _e41 = stretches_1;
-    if (_e41.w > 0f) {
-        let _e46 = stretches_1;
-        let _e48 = depth_6;
-        let _e50 = depth_6;
-        let _e51 = stretches_1;
-        inside_1.y = min((_e46.z - _e48), (_e50 - _e51.w));
+    let _e42 = stretches_1;
+    if (_e42.w > 0f) {
+        let _e47 = stretches_1;
+        let _e49 = depth_6;
+        let _e51 = depth_6;
+        let _e52 = stretches_1;
+        inside_1.y = min((_e47.z - _e49), (_e51 - _e52.w));
     }
-    let _e55 = inside_1;
-    return _e55;
+    let _e56 = inside_1;
+    return _e56;
 }
 
-fn exitLearn(way: ExitWay, t_26: f32, w_25: f32, here: f32, margin: f32) -> ExitWay {
+fn exitLearn(way: ExitWay, t_27: f32, w_25: f32, here: f32, margin: f32) -> ExitWay {
     var way_1: ExitWay;
-    var t_27: f32;
+    var t_28: f32;
     var w_26: f32;
     var here_1: f32;
     var margin_1: f32;
-    var local_68: f32;
+    var local_74: f32;
 
     way_1 = way;
-    t_27 = t_26;
+    t_28 = t_27;
     w_26 = w_25;
     here_1 = here;
     margin_1 = margin;
-    let _e30 = here_1;
-    let _e31 = margin_1;
-    if (_e30 > _e31) {
+    let _e31 = here_1;
+    let _e32 = margin_1;
+    if (_e31 > _e32) {
         {
-            let _e34 = t_27;
-            way_1.tInside = _e34;
-            let _e36 = here_1;
-            let _e37 = w_26;
-            way_1.inside = (_e36 * _e37);
+            let _e35 = t_28;
+            way_1.tInside = _e35;
+            let _e37 = here_1;
+            let _e38 = w_26;
+            way_1.inside = (_e37 * _e38);
         }
     } else {
-        let _e39 = here_1;
-        let _e40 = margin_1;
-        if (_e39 < -(_e40)) {
+        let _e40 = here_1;
+        let _e41 = margin_1;
+        if (_e40 < -(_e41)) {
             {
-                let _e44 = t_27;
-                way_1.tOutside = _e44;
-                let _e46 = here_1;
-                if (_e46 > EXIT_NOWHERE) {
-                    let _e48 = here_1;
-                    let _e49 = w_26;
-                    local_68 = (_e48 * _e49);
+                let _e45 = t_28;
+                way_1.tOutside = _e45;
+                let _e47 = here_1;
+                if (_e47 > EXIT_NOWHERE) {
+                    let _e49 = here_1;
+                    let _e50 = w_26;
+                    local_74 = (_e49 * _e50);
                 } else {
-                    local_68 = EXIT_NOWHERE;
+                    local_74 = EXIT_NOWHERE;
                 }
-                let _e52 = local_68;
-                way_1.outside = _e52;
+                let _e53 = local_74;
+                way_1.outside = _e53;
             }
         }
     }
-    let _e53 = way_1;
-    return _e53;
+    let _e54 = way_1;
+    return _e54;
 }
 
 fn exitSecant(way_2: ExitWay) -> f32 {
     var way_3: ExitWay;
-    var local_69: f32;
-    var share_1: f32;
+    var local_75: f32;
+    var share_2: f32;
 
     way_3 = way_2;
-    let _e22 = way_3;
-    if (_e22.outside > EXIT_NOWHERE) {
-        let _e25 = way_3;
-        let _e27 = way_3;
-        let _e29 = way_3;
-        local_69 = clamp((_e25.inside / (_e27.inside - _e29.outside)), 0.05f, 0.95f);
+    let _e23 = way_3;
+    if (_e23.outside > EXIT_NOWHERE) {
+        let _e26 = way_3;
+        let _e28 = way_3;
+        let _e30 = way_3;
+        local_75 = clamp((_e26.inside / (_e28.inside - _e30.outside)), 0.05f, 0.95f);
     } else {
-        local_69 = 0.5f;
+        local_75 = 0.5f;
     }
-    let _e38 = local_69;
-    share_1 = _e38;
-    let _e40 = way_3;
-    let _e42 = way_3;
-    let _e44 = share_1;
-    return mix(_e40.tInside, _e42.tOutside, _e44);
+    let _e39 = local_75;
+    share_2 = _e39;
+    let _e41 = way_3;
+    let _e43 = way_3;
+    let _e45 = share_2;
+    return mix(_e41.tInside, _e43.tOutside, _e45);
 }
 
 fn exitSpacing(k_20: i32) -> f32 {
     var k_21: i32;
-    var x_22: f32;
+    var x_25: f32;
     var x3_: f32;
 
     k_21 = k_20;
-    let _e23 = k_21;
-    x_22 = (0.25f * f32(_e23));
-    let _e27 = x_22;
-    let _e28 = x_22;
-    let _e30 = x_22;
-    x3_ = ((_e27 * _e28) * _e30);
-    let _e33 = x_22;
-    let _e34 = x3_;
-    let _e38 = x3_;
+    let _e24 = k_21;
+    x_25 = (0.25f * f32(_e24));
+    let _e28 = x_25;
+    let _e29 = x_25;
+    let _e31 = x_25;
+    x3_ = ((_e28 * _e29) * _e31);
+    let _e34 = x_25;
+    let _e35 = x3_;
     let _e39 = x3_;
-    return ((_e33 + (_e34 / 3f)) + ((_e38 * _e39) / 20f));
+    let _e40 = x3_;
+    return ((_e34 + (_e35 / 3f)) + ((_e39 * _e40) / 20f));
 }
 
-fn exitPlane(origin_2: vec3<f32>, direction_4: vec3<f32>, point: vec3<f32>, n_34: vec3<f32>) -> f32 {
+fn exitPlane(origin_2: vec3<f32>, direction_12: vec3<f32>, point: vec3<f32>, n_43: vec3<f32>) -> f32 {
     var origin_3: vec3<f32>;
-    var direction_5: vec3<f32>;
+    var direction_13: vec3<f32>;
     var point_1: vec3<f32>;
-    var n_35: vec3<f32>;
+    var n_44: vec3<f32>;
 
     origin_3 = origin_2;
-    direction_5 = direction_4;
+    direction_13 = direction_12;
     point_1 = point;
-    n_35 = n_34;
-    let _e28 = point_1;
-    let _e29 = origin_3;
-    let _e31 = n_35;
-    let _e33 = direction_5;
-    let _e34 = n_35;
-    return (dot((_e28 - _e29), _e31) / dot(_e33, _e34));
+    n_44 = n_43;
+    let _e29 = point_1;
+    let _e30 = origin_3;
+    let _e32 = n_44;
+    let _e34 = direction_13;
+    let _e35 = n_44;
+    return (dot((_e29 - _e30), _e32) / dot(_e34, _e35));
 }
 
-fn exitSame(point_2: vec3<f32>, n_36: vec3<f32>, otherPoint: vec3<f32>, otherN: vec3<f32>) -> bool {
+fn exitSame(point_2: vec3<f32>, n_45: vec3<f32>, otherPoint: vec3<f32>, otherN: vec3<f32>) -> bool {
     var point_3: vec3<f32>;
-    var n_37: vec3<f32>;
+    var n_46: vec3<f32>;
     var otherPoint_1: vec3<f32>;
     var otherN_1: vec3<f32>;
-    var chord: vec3<f32>;
+    var chord_1: vec3<f32>;
 
     point_3 = point_2;
-    n_37 = n_36;
+    n_46 = n_45;
     otherPoint_1 = otherPoint;
     otherN_1 = otherN;
-    let _e28 = otherPoint_1;
-    let _e29 = point_3;
-    chord = (_e28 - _e29);
-    let _e32 = n_37;
-    let _e33 = otherN_1;
-    let _e37 = chord;
-    let _e38 = n_37;
-    let _e42 = chord;
-    return ((dot(_e32, _e33) > 0.7f) && (abs(dot(_e37, _e38)) <= (0.39f * length(_e42))));
+    let _e29 = otherPoint_1;
+    let _e30 = point_3;
+    chord_1 = (_e29 - _e30);
+    let _e33 = n_46;
+    let _e34 = otherN_1;
+    let _e38 = chord_1;
+    let _e39 = n_46;
+    let _e43 = chord_1;
+    return ((dot(_e33, _e34) > 0.7f) && (abs(dot(_e38, _e39)) <= (0.39f * length(_e43))));
 }
 
-fn exitCurvature(n_38: vec3<f32>, direction_6: vec3<f32>, stepX: vec3<f32>, turnX: vec3<f32>, stepY: vec3<f32>, turnY: vec3<f32>) -> vec2<f32> {
-    var n_39: vec3<f32>;
-    var direction_7: vec3<f32>;
+fn exitCurvature(n_47: vec3<f32>, direction_14: vec3<f32>, stepX: vec3<f32>, turnX: vec3<f32>, stepY: vec3<f32>, turnY: vec3<f32>) -> vec2<f32> {
+    var n_48: vec3<f32>;
+    var direction_15: vec3<f32>;
     var stepX_1: vec3<f32>;
     var turnX_1: vec3<f32>;
     var stepY_1: vec3<f32>;
     var turnY_1: vec3<f32>;
     var area_1: f32;
     var turn_1: f32;
-    var along_6: vec3<f32>;
+    var along_9: vec3<f32>;
     var t1_2: vec3<f32>;
     var t2_: vec3<f32>;
     var turn1_: vec3<f32>;
     var turn2_: vec3<f32>;
     var twist: f32;
     var curvature_3: vec2<f32>;
-    var local_70: vec2<f32>;
+    var local_76: vec2<f32>;
 
-    n_39 = n_38;
-    direction_7 = direction_6;
+    n_48 = n_47;
+    direction_15 = direction_14;
     stepX_1 = stepX;
     turnX_1 = turnX;
     stepY_1 = stepY;
     turnY_1 = turnY;
-    let _e32 = stepX_1;
-    let _e33 = stepY_1;
-    let _e35 = n_39;
-    area_1 = dot(cross(_e32, _e33), _e35);
-    let _e38 = turnX_1;
+    let _e33 = stepX_1;
+    let _e34 = stepY_1;
+    let _e36 = n_48;
+    area_1 = dot(cross(_e33, _e34), _e36);
     let _e39 = turnX_1;
-    let _e41 = turnY_1;
+    let _e40 = turnX_1;
     let _e42 = turnY_1;
-    turn_1 = max(dot(_e38, _e39), dot(_e41, _e42));
-    let _e46 = area_1;
-    let _e49 = turn_1;
-    if ((_e46 == 0f) || (_e49 > 0.0625f)) {
+    let _e43 = turnY_1;
+    turn_1 = max(dot(_e39, _e40), dot(_e42, _e43));
+    let _e47 = area_1;
+    let _e50 = turn_1;
+    if ((_e47 == 0f) || (_e50 > 0.0625f)) {
         return vec2(0f);
     }
-    let _e55 = direction_7;
-    let _e56 = direction_7;
-    let _e57 = n_39;
-    let _e59 = n_39;
-    along_6 = (_e55 - (dot(_e56, _e57) * _e59));
-    let _e63 = along_6;
-    let _e64 = along_6;
-    if (dot(_e63, _e64) < 0.000000000001f) {
-        let _e68 = stepX_1;
+    let _e56 = direction_15;
+    let _e57 = direction_15;
+    let _e58 = n_48;
+    let _e60 = n_48;
+    along_9 = (_e56 - (dot(_e57, _e58) * _e60));
+    let _e64 = along_9;
+    let _e65 = along_9;
+    if (dot(_e64, _e65) < 0.000000000001f) {
         let _e69 = stepX_1;
-        let _e70 = n_39;
-        let _e72 = n_39;
-        along_6 = (_e68 - (dot(_e69, _e70) * _e72));
+        let _e70 = stepX_1;
+        let _e71 = n_48;
+        let _e73 = n_48;
+        along_9 = (_e69 - (dot(_e70, _e71) * _e73));
     }
-    let _e75 = along_6;
-    t1_2 = normalize(_e75);
-    let _e78 = n_39;
-    let _e79 = t1_2;
-    t2_ = cross(_e78, _e79);
-    let _e82 = stepY_1;
-    let _e83 = t2_;
-    let _e85 = turnX_1;
-    let _e87 = stepX_1;
-    let _e88 = t2_;
-    let _e90 = turnY_1;
-    let _e93 = area_1;
-    turn1_ = (((dot(_e82, _e83) * _e85) - (dot(_e87, _e88) * _e90)) / vec3(_e93));
-    let _e97 = stepX_1;
-    let _e98 = t1_2;
-    let _e100 = turnY_1;
-    let _e102 = stepY_1;
-    let _e103 = t1_2;
-    let _e105 = turnX_1;
-    let _e108 = area_1;
-    turn2_ = (((dot(_e97, _e98) * _e100) - (dot(_e102, _e103) * _e105)) / vec3(_e108));
-    let _e112 = turn1_;
-    let _e113 = t2_;
-    let _e115 = turn2_;
-    let _e116 = t1_2;
-    twist = abs((dot(_e112, _e113) - dot(_e115, _e116)));
-    let _e121 = turn1_;
-    let _e122 = t1_2;
-    let _e124 = turn2_;
-    let _e125 = t2_;
-    curvature_3 = vec2<f32>(dot(_e121, _e122), dot(_e124, _e125));
-    let _e129 = twist;
-    let _e130 = curvature_3;
-    let _e133 = curvature_3;
-    if (_e129 > (abs(_e130.x) + abs(_e133.y))) {
-        local_70 = vec2(0f);
+    let _e76 = along_9;
+    t1_2 = normalize(_e76);
+    let _e79 = n_48;
+    let _e80 = t1_2;
+    t2_ = cross(_e79, _e80);
+    let _e83 = stepY_1;
+    let _e84 = t2_;
+    let _e86 = turnX_1;
+    let _e88 = stepX_1;
+    let _e89 = t2_;
+    let _e91 = turnY_1;
+    let _e94 = area_1;
+    turn1_ = (((dot(_e83, _e84) * _e86) - (dot(_e88, _e89) * _e91)) / vec3(_e94));
+    let _e98 = stepX_1;
+    let _e99 = t1_2;
+    let _e101 = turnY_1;
+    let _e103 = stepY_1;
+    let _e104 = t1_2;
+    let _e106 = turnX_1;
+    let _e109 = area_1;
+    turn2_ = (((dot(_e98, _e99) * _e101) - (dot(_e103, _e104) * _e106)) / vec3(_e109));
+    let _e113 = turn1_;
+    let _e114 = t2_;
+    let _e116 = turn2_;
+    let _e117 = t1_2;
+    twist = abs((dot(_e113, _e114) - dot(_e116, _e117)));
+    let _e122 = turn1_;
+    let _e123 = t1_2;
+    let _e125 = turn2_;
+    let _e126 = t2_;
+    curvature_3 = vec2<f32>(dot(_e122, _e123), dot(_e125, _e126));
+    let _e130 = twist;
+    let _e131 = curvature_3;
+    let _e134 = curvature_3;
+    if (_e130 > (abs(_e131.x) + abs(_e134.y))) {
+        local_76 = vec2(0f);
     } else {
-        let _e140 = curvature_3;
-        local_70 = _e140;
+        let _e141 = curvature_3;
+        local_76 = _e141;
     }
-    let _e142 = local_70;
-    return _e142;
+    let _e143 = local_76;
+    return _e143;
 }
 
-fn engineInterfaceEnergy(at_4: vec3<f32>) -> vec4<f32> {
-    var at_5: vec3<f32>;
+fn engineInterfaceEnergy(at_5: vec3<f32>) -> vec4<f32> {
+    var at_6: vec3<f32>;
 
-    at_5 = at_4;
+    at_6 = at_5;
     return vec4(0f);
 }
 
-fn engineInterfaceLobe(at_6: vec3<f32>) -> vec4<f32> {
-    var at_7: vec3<f32>;
+fn engineInterfaceLobe(at_7: vec3<f32>) -> vec4<f32> {
+    var at_8: vec3<f32>;
 
-    at_7 = at_6;
+    at_8 = at_7;
     return vec4(0f);
 }
 
-fn engineReflectionLobe(at_8: vec3<f32>) -> vec4<f32> {
-    var at_9: vec3<f32>;
+fn engineReflectionLobe(at_9: vec3<f32>) -> vec4<f32> {
+    var at_10: vec3<f32>;
 
-    at_9 = at_8;
+    at_10 = at_9;
     return vec4(0f);
 }
 
-fn engineSceneColor(at_10: vec2<f32>, variance_1: f32) -> vec4<f32> {
-    var at_11: vec2<f32>;
+fn engineSceneColor(at_11: vec2<f32>, variance_1: f32) -> vec4<f32> {
+    var at_12: vec2<f32>;
     var variance_2: f32;
 
-    at_11 = at_10;
+    at_12 = at_11;
     variance_2 = variance_1;
     return vec4(0f);
 }
 
-fn engineSceneDepth(at_12: vec2<f32>) -> f32 {
-    var at_13: vec2<f32>;
+fn engineSceneDepth(at_13: vec2<f32>) -> f32 {
+    var at_14: vec2<f32>;
 
-    at_13 = at_12;
+    at_14 = at_13;
     return 0f;
 }
 
-fn engineEnvironment(direction_8: vec3<f32>, sigma_2: f32) -> vec3<f32> {
-    var direction_9: vec3<f32>;
-    var sigma_3: f32;
+fn engineEnvironment(direction_16: vec3<f32>, sigma_6: f32) -> vec3<f32> {
+    var direction_17: vec3<f32>;
+    var sigma_7: f32;
 
-    direction_9 = direction_8;
-    sigma_3 = sigma_2;
+    direction_17 = direction_16;
+    sigma_7 = sigma_6;
     return vec3(0f);
 }
 
-fn scenePixel(clip_1: vec4<f32>, size_20: vec2<f32>) -> vec2<f32> {
+fn scenePixel(clip_1: vec4<f32>, size_21: vec2<f32>) -> vec2<f32> {
     var clip_2: vec4<f32>;
-    var size_21: vec2<f32>;
+    var size_22: vec2<f32>;
 
     clip_2 = clip_1;
-    size_21 = size_20;
-    let _e29 = clip_2;
-    let _e32 = clip_2;
-    let _e36 = size_21;
-    let _e41 = clip_2;
-    let _e44 = clip_2;
-    let _e48 = size_21;
-    return vec2<f32>(((0.5f + ((0.5f * _e29.x) / _e32.w)) * _e36.x), ((0.5f - ((0.5f * _e41.y) / _e44.w)) * _e48.y));
+    size_22 = size_21;
+    let _e31 = clip_2;
+    let _e34 = clip_2;
+    let _e38 = size_22;
+    let _e43 = clip_2;
+    let _e46 = clip_2;
+    let _e50 = size_22;
+    return vec2<f32>(((0.5f + ((0.5f * _e31.x) / _e34.w)) * _e38.x), ((0.5f - ((0.5f * _e43.y) / _e46.w)) * _e50.y));
 }
 
-fn sceneGuess(origin_4: vec4<f32>, along_7: vec4<f32>, view_11: SceneView) -> SceneIntersection {
+fn sceneGuess(origin_4: vec4<f32>, along_10: vec4<f32>, view_11: SceneView) -> SceneIntersection {
     var origin_5: vec4<f32>;
-    var along_8: vec4<f32>;
+    var along_11: vec4<f32>;
     var view_12: SceneView;
-    var met: SceneIntersection;
-    var at_14: vec2<f32>;
+    var met_1: SceneIntersection;
+    var at_15: vec2<f32>;
     var k_22: i32 = 0i;
     var depth_7: f32;
     var sky: bool;
-    var local_71: f32;
-    var local_72: vec4<f32>;
+    var local_77: f32;
+    var local_78: vec4<f32>;
     var there: vec4<f32>;
     var next: vec2<f32>;
 
     origin_5 = origin_4;
-    along_8 = along_7;
+    along_11 = along_10;
     view_12 = view_11;
-    met.seen = false;
-    met.metres = -1f;
-    let _e35 = origin_5;
-    let _e36 = view_12;
-    let _e38 = scenePixel(_e35, _e36.size);
-    at_14 = _e38;
+    met_1.seen = false;
+    met_1.metres = -1f;
+    let _e37 = origin_5;
+    let _e38 = view_12;
+    let _e40 = scenePixel(_e37, _e38.size);
+    at_15 = _e40;
     loop {
-        let _e42 = k_22;
-        let _e44 = met;
-        if !(((_e42 < SCENE_GUESSES) && !(_e44.seen))) {
+        let _e44 = k_22;
+        let _e46 = met_1;
+        if !(((_e44 < SCENE_GUESSES) && !(_e46.seen))) {
             break;
         }
         {
-            let _e52 = at_14;
-            let _e53 = engineSceneDepth(_e52);
-            depth_7 = _e53;
-            let _e55 = depth_7;
-            sky = (_e55 > 100000000000000000000000000000f);
-            let _e60 = sky;
-            if _e60 {
-                local_71 = -1f;
+            let _e54 = at_15;
+            let _e55 = engineSceneDepth(_e54);
+            depth_7 = _e55;
+            let _e57 = depth_7;
+            sky = (_e57 > 100000000000000000000000000000f);
+            let _e62 = sky;
+            if _e62 {
+                local_77 = -1f;
             } else {
-                let _e63 = depth_7;
-                let _e64 = origin_5;
-                let _e67 = along_8;
-                local_71 = ((_e63 - _e64.w) / _e67.w);
+                let _e65 = depth_7;
+                let _e66 = origin_5;
+                let _e69 = along_11;
+                local_77 = ((_e65 - _e66.w) / _e69.w);
             }
-            let _e71 = local_71;
-            met.metres = _e71;
-            let _e72 = along_8;
-            let _e77 = sky;
-            let _e79 = met;
-            if (!((_e72.w > 0f)) || (!(_e77) && (_e79.metres < 0f))) {
+            let _e73 = local_77;
+            met_1.metres = _e73;
+            let _e74 = along_11;
+            let _e79 = sky;
+            let _e81 = met_1;
+            if (!((_e74.w > 0f)) || (!(_e79) && (_e81.metres < 0f))) {
                 break;
             }
-            let _e85 = sky;
-            if _e85 {
-                let _e86 = along_8;
-                local_72 = _e86;
+            let _e87 = sky;
+            if _e87 {
+                let _e88 = along_11;
+                local_78 = _e88;
             } else {
-                let _e87 = origin_5;
-                let _e88 = met;
-                let _e90 = along_8;
-                local_72 = (_e87 + (_e88.metres * _e90));
+                let _e89 = origin_5;
+                let _e90 = met_1;
+                let _e92 = along_11;
+                local_78 = (_e89 + (_e90.metres * _e92));
             }
-            let _e94 = local_72;
-            there = _e94;
-            let _e96 = there;
-            let _e97 = view_12;
-            let _e99 = scenePixel(_e96, _e97.size);
-            next = _e99;
-            let _e102 = k_22;
-            let _e105 = next;
-            let _e107 = at_14;
-            let _e114 = next;
-            let _e116 = at_14;
-            met.seen = (((_e102 > 0i) && (abs((_e105.x - _e107.x)) < 1f)) && (abs((_e114.y - _e116.y)) < 1f));
-            let _e123 = next;
-            at_14 = _e123;
+            let _e96 = local_78;
+            there = _e96;
+            let _e98 = there;
+            let _e99 = view_12;
+            let _e101 = scenePixel(_e98, _e99.size);
+            next = _e101;
+            let _e104 = k_22;
+            let _e107 = next;
+            let _e109 = at_15;
+            let _e116 = next;
+            let _e118 = at_15;
+            met_1.seen = (((_e104 > 0i) && (abs((_e107.x - _e109.x)) < 1f)) && (abs((_e116.y - _e118.y)) < 1f));
+            let _e125 = next;
+            at_15 = _e125;
         }
         continuing {
-            let _e49 = k_22;
-            k_22 = (_e49 + 1i);
+            let _e51 = k_22;
+            k_22 = (_e51 + 1i);
         }
     }
-    let _e124 = met;
-    return _e124;
+    let _e126 = met_1;
+    return _e126;
 }
 
 fn sceneShown(origin_6: vec4<f32>, way_4: vec4<f32>) -> f32 {
@@ -6057,50 +6788,50 @@ fn sceneShown(origin_6: vec4<f32>, way_4: vec4<f32>) -> f32 {
 
     origin_7 = origin_6;
     way_5 = way_4;
-    let _e27 = origin_7;
     let _e29 = origin_7;
-    let _e32 = origin_7;
+    let _e31 = origin_7;
     let _e34 = origin_7;
-    let _e37 = origin_7;
+    let _e36 = origin_7;
     let _e39 = origin_7;
-    let _e42 = origin_7;
+    let _e41 = origin_7;
     let _e44 = origin_7;
-    room_1 = max(vec4<f32>((_e27.w - _e29.x), (_e32.w + _e34.x), (_e37.w - _e39.y), (_e42.w + _e44.y)), vec4(0f));
-    let _e52 = way_5;
+    let _e46 = origin_7;
+    room_1 = max(vec4<f32>((_e29.w - _e31.x), (_e34.w + _e36.x), (_e39.w - _e41.y), (_e44.w + _e46.y)), vec4(0f));
     let _e54 = way_5;
-    let _e57 = way_5;
-    let _e60 = way_5;
-    let _e63 = way_5;
+    let _e56 = way_5;
+    let _e59 = way_5;
+    let _e62 = way_5;
     let _e65 = way_5;
-    let _e68 = way_5;
-    let _e71 = way_5;
-    loss = vec4<f32>((_e52.x - _e54.w), (-(_e57.x) - _e60.w), (_e63.y - _e65.w), (-(_e68.y) - _e71.w));
-    let _e76 = room_1;
-    let _e77 = loss;
+    let _e67 = way_5;
+    let _e70 = way_5;
+    let _e73 = way_5;
+    loss = vec4<f32>((_e54.x - _e56.w), (-(_e59.x) - _e62.w), (_e65.y - _e67.w), (-(_e70.y) - _e73.w));
     let _e78 = room_1;
-    cut = min((_e76 / max(max(_e77, _e78), vec4(0.000000000000000000000000000001f))), vec4(1f));
-    let _e88 = cut;
+    let _e79 = loss;
+    let _e80 = room_1;
+    cut = min((_e78 / max(max(_e79, _e80), vec4(0.000000000000000000000000000001f))), vec4(1f));
     let _e90 = cut;
-    let _e93 = cut;
+    let _e92 = cut;
     let _e95 = cut;
-    end = min(min(_e88.x, _e90.y), min(_e93.z, _e95.w));
-    let _e100 = end;
-    let _e102 = origin_7;
-    let _e105 = way_5;
-    let _e109 = origin_7;
-    return min(_e100, ((0.99f * _e102.w) / max(-(_e105.w), (0.99f * _e109.w))));
+    let _e97 = cut;
+    end = min(min(_e90.x, _e92.y), min(_e95.z, _e97.w));
+    let _e102 = end;
+    let _e104 = origin_7;
+    let _e107 = way_5;
+    let _e111 = origin_7;
+    return min(_e102, ((0.99f * _e104.w) / max(-(_e107.w), (0.99f * _e111.w))));
 }
 
-fn sceneMarch(origin_8: vec4<f32>, along_9: vec4<f32>, view_13: SceneView) -> SceneIntersection {
+fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> SceneIntersection {
     var origin_9: vec4<f32>;
-    var along_10: vec4<f32>;
+    var along_13: vec4<f32>;
     var view_14: SceneView;
     var way_6: vec4<f32>;
     var end_1: f32;
     var to: vec4<f32>;
-    var a_28: vec3<f32>;
-    var b_19: vec3<f32>;
-    var met_1: SceneIntersection;
+    var a_32: vec3<f32>;
+    var b_22: vec3<f32>;
+    var met_2: SceneIntersection;
     var low_7: f32 = 0f;
     var heightLow: f32 = 0f;
     var high_2: f32 = 1f;
@@ -6111,912 +6842,919 @@ fn sceneMarch(origin_8: vec4<f32>, along_9: vec4<f32>, view_13: SceneView) -> Sc
     var p_8: vec3<f32>;
     var beyond: f32;
     var bordered: bool;
-    var local_73: f32;
+    var local_79: f32;
     var gap: f32;
     var k_24: i32 = 0i;
-    var local_74: f32;
-    var share_2: f32;
-    var u_11: f32;
+    var local_80: f32;
+    var share_3: f32;
+    var u_17: f32;
     var p_9: vec3<f32>;
-    var height_1: f32;
+    var height_2: f32;
     var front: bool;
-    var local_75: f32;
-    var local_76: f32;
-    var local_77: f32;
-    var local_78: f32;
-    var u_12: f32;
+    var local_81: f32;
+    var local_82: f32;
+    var local_83: f32;
+    var local_84: f32;
+    var u_18: f32;
     var near: f32;
     var far: f32;
+    var surface_6: bool;
 
     origin_9 = origin_8;
-    along_10 = along_9;
+    along_13 = along_12;
     view_14 = view_13;
-    let _e29 = view_14;
-    let _e31 = along_10;
-    way_6 = (_e29.reach * _e31);
-    let _e34 = origin_9;
-    let _e35 = way_6;
-    let _e36 = sceneShown(_e34, _e35);
-    end_1 = _e36;
-    let _e38 = origin_9;
-    let _e39 = end_1;
-    let _e40 = way_6;
-    to = (_e38 + (_e39 * _e40));
-    let _e44 = origin_9;
+    let _e31 = view_14;
+    let _e33 = along_13;
+    way_6 = (_e31.reach * _e33);
+    let _e36 = origin_9;
+    let _e37 = way_6;
+    let _e38 = sceneShown(_e36, _e37);
+    end_1 = _e38;
+    let _e40 = origin_9;
+    let _e41 = end_1;
+    let _e42 = way_6;
+    to = (_e40 + (_e41 * _e42));
     let _e46 = origin_9;
-    let _e50 = origin_9;
-    a_28 = (vec3<f32>(_e44.x, _e46.y, 1f) / vec3(_e50.w));
-    let _e55 = to;
+    let _e48 = origin_9;
+    let _e52 = origin_9;
+    a_32 = (vec3<f32>(_e46.x, _e48.y, 1f) / vec3(_e52.w));
     let _e57 = to;
-    let _e61 = to;
-    b_19 = (vec3<f32>(_e55.x, _e57.y, 1f) / vec3(_e61.w));
-    met_1.seen = false;
-    met_1.metres = -1f;
+    let _e59 = to;
+    let _e63 = to;
+    b_22 = (vec3<f32>(_e57.x, _e59.y, 1f) / vec3(_e63.w));
+    met_2.seen = false;
+    met_2.metres = -1f;
     loop {
-        let _e86 = k_23;
-        let _e88 = crossed;
-        if !(((_e86 <= SCENE_STEPS) && !(_e88))) {
+        let _e88 = k_23;
+        let _e90 = crossed;
+        if !(((_e88 <= SCENE_STEPS) && !(_e90))) {
             break;
         }
         {
-            let _e95 = k_23;
-            high_2 = (f32(_e95) / 12f);
-            let _e100 = a_28;
-            let _e101 = b_19;
-            let _e102 = high_2;
-            p_8 = mix(_e100, _e101, vec3(_e102));
-            let _e108 = p_8;
-            let _e112 = view_14;
-            let _e118 = p_8;
-            let _e122 = view_14;
-            let _e127 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e108.x)) * _e112.size.x), ((0.5f - (0.5f * _e118.y)) * _e122.size.y)));
-            depth_8 = _e127;
-            let _e128 = p_8;
-            let _e131 = depth_8;
-            heightHigh = (_e128.z - (1f / _e131));
-            let _e134 = heightHigh;
-            let _e137 = k_23;
-            let _e140 = heightLow;
-            crossed = ((_e134 < 0f) && ((_e137 == 1i) || (_e140 >= 0f)));
-            let _e145 = crossed;
-            if !(_e145) {
+            let _e97 = k_23;
+            high_2 = (f32(_e97) / 12f);
+            let _e102 = a_32;
+            let _e103 = b_22;
+            let _e104 = high_2;
+            p_8 = mix(_e102, _e103, vec3(_e104));
+            let _e110 = p_8;
+            let _e114 = view_14;
+            let _e120 = p_8;
+            let _e124 = view_14;
+            let _e129 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e110.x)) * _e114.size.x), ((0.5f - (0.5f * _e120.y)) * _e124.size.y)));
+            depth_8 = _e129;
+            let _e130 = p_8;
+            let _e133 = depth_8;
+            heightHigh = (_e130.z - (1f / _e133));
+            let _e136 = heightHigh;
+            let _e139 = k_23;
+            let _e142 = heightLow;
+            crossed = ((_e136 < 0f) && ((_e139 == 1i) || (_e142 >= 0f)));
+            let _e147 = crossed;
+            if !(_e147) {
                 {
-                    let _e147 = high_2;
-                    low_7 = _e147;
-                    let _e148 = heightHigh;
-                    heightLow = _e148;
+                    let _e149 = high_2;
+                    low_7 = _e149;
+                    let _e150 = heightHigh;
+                    heightLow = _e150;
                 }
             }
         }
         continuing {
-            let _e92 = k_23;
-            k_23 = (_e92 + 1i);
+            let _e94 = k_23;
+            k_23 = (_e94 + 1i);
         }
     }
-    let _e149 = crossed;
-    if !(_e149) {
+    let _e151 = crossed;
+    if !(_e151) {
         {
-            let _e151 = depth_8;
-            let _e152 = origin_9;
-            let _e155 = along_10;
-            beyond = ((_e151 - _e152.w) / _e155.w);
-            let _e159 = end_1;
-            let _e162 = depth_8;
-            let _e166 = heightHigh;
-            let _e170 = beyond;
-            bordered = ((((_e159 < 1f) && (_e162 < 100000000000000000000000000000f)) && (_e166 >= 0f)) && (_e170 > 0f));
-            let _e176 = bordered;
-            if _e176 {
-                let _e177 = beyond;
-                local_73 = _e177;
+            let _e153 = depth_8;
+            let _e154 = origin_9;
+            let _e157 = along_13;
+            beyond = ((_e153 - _e154.w) / _e157.w);
+            let _e161 = end_1;
+            let _e164 = depth_8;
+            let _e168 = heightHigh;
+            let _e172 = beyond;
+            bordered = ((((_e161 < 1f) && (_e164 < 100000000000000000000000000000f)) && (_e168 >= 0f)) && (_e172 > 0f));
+            let _e178 = bordered;
+            if _e178 {
+                let _e179 = beyond;
+                local_79 = _e179;
             } else {
-                local_73 = -1f;
+                local_79 = -1f;
             }
-            let _e181 = local_73;
-            met_1.metres = _e181;
-            let _e183 = bordered;
-            let _e184 = heightHigh;
-            let _e187 = depth_8;
-            let _e191 = along_10;
-            met_1.seen = (_e183 || (((_e184 >= 0f) && (_e187 > 100000000000000000000000000000f)) && (_e191.w > 0f)));
-            let _e197 = met_1;
-            return _e197;
+            let _e183 = local_79;
+            met_2.metres = _e183;
+            let _e185 = bordered;
+            let _e186 = heightHigh;
+            let _e189 = depth_8;
+            let _e193 = along_13;
+            met_2.seen = (_e185 || (((_e186 >= 0f) && (_e189 > 100000000000000000000000000000f)) && (_e193.w > 0f)));
+            let _e199 = met_2;
+            return _e199;
         }
     }
-    let _e198 = heightLow;
-    let _e199 = heightHigh;
-    gap = max((_e198 - _e199), 0.000000000000000000000000000001f);
+    let _e200 = heightLow;
+    let _e201 = heightHigh;
+    gap = max((_e200 - _e201), 0.000000000000000000000000000001f);
     loop {
-        let _e206 = k_24;
-        if !((_e206 < SCENE_SECANTS)) {
+        let _e208 = k_24;
+        if !((_e208 < SCENE_SECANTS)) {
             break;
         }
         {
-            let _e212 = k_24;
-            if ((_e212 % 2i) == 0i) {
-                local_74 = 0.5f;
+            let _e214 = k_24;
+            if ((_e214 % 2i) == 0i) {
+                local_80 = 0.5f;
             } else {
-                let _e218 = heightLow;
-                let _e219 = heightLow;
-                let _e220 = heightHigh;
-                local_74 = (_e218 / max((_e219 - _e220), 0.000000000000000000000000000001f));
+                let _e220 = heightLow;
+                let _e221 = heightLow;
+                let _e222 = heightHigh;
+                local_80 = (_e220 / max((_e221 - _e222), 0.000000000000000000000000000001f));
             }
-            let _e226 = local_74;
-            share_2 = _e226;
-            let _e228 = low_7;
-            let _e229 = high_2;
-            let _e230 = share_2;
-            u_11 = mix(_e228, _e229, clamp(_e230, 0f, 1f));
-            let _e236 = a_28;
-            let _e237 = b_19;
-            let _e238 = u_11;
-            p_9 = mix(_e236, _e237, vec3(_e238));
-            let _e244 = p_9;
-            let _e248 = view_14;
-            let _e254 = p_9;
-            let _e258 = view_14;
-            let _e263 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e244.x)) * _e248.size.x), ((0.5f - (0.5f * _e254.y)) * _e258.size.y)));
-            depth_8 = _e263;
-            let _e264 = p_9;
-            let _e267 = depth_8;
-            height_1 = (_e264.z - (1f / _e267));
-            let _e271 = height_1;
-            front = (_e271 >= 0f);
-            let _e275 = front;
-            if _e275 {
-                let _e276 = u_11;
-                local_75 = _e276;
+            let _e228 = local_80;
+            share_3 = _e228;
+            let _e230 = low_7;
+            let _e231 = high_2;
+            let _e232 = share_3;
+            u_17 = mix(_e230, _e231, clamp(_e232, 0f, 1f));
+            let _e238 = a_32;
+            let _e239 = b_22;
+            let _e240 = u_17;
+            p_9 = mix(_e238, _e239, vec3(_e240));
+            let _e246 = p_9;
+            let _e250 = view_14;
+            let _e256 = p_9;
+            let _e260 = view_14;
+            let _e265 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e246.x)) * _e250.size.x), ((0.5f - (0.5f * _e256.y)) * _e260.size.y)));
+            depth_8 = _e265;
+            let _e266 = p_9;
+            let _e269 = depth_8;
+            height_2 = (_e266.z - (1f / _e269));
+            let _e273 = height_2;
+            front = (_e273 >= 0f);
+            let _e277 = front;
+            if _e277 {
+                let _e278 = u_17;
+                local_81 = _e278;
             } else {
-                let _e277 = low_7;
-                local_75 = _e277;
+                let _e279 = low_7;
+                local_81 = _e279;
             }
-            let _e279 = local_75;
-            low_7 = _e279;
-            let _e280 = front;
-            if _e280 {
-                let _e281 = height_1;
-                local_76 = _e281;
+            let _e281 = local_81;
+            low_7 = _e281;
+            let _e282 = front;
+            if _e282 {
+                let _e283 = height_2;
+                local_82 = _e283;
             } else {
-                let _e282 = heightLow;
-                local_76 = _e282;
+                let _e284 = heightLow;
+                local_82 = _e284;
             }
-            let _e284 = local_76;
-            heightLow = _e284;
-            let _e285 = front;
-            if _e285 {
-                let _e286 = high_2;
-                local_77 = _e286;
+            let _e286 = local_82;
+            heightLow = _e286;
+            let _e287 = front;
+            if _e287 {
+                let _e288 = high_2;
+                local_83 = _e288;
             } else {
-                let _e287 = u_11;
-                local_77 = _e287;
+                let _e289 = u_17;
+                local_83 = _e289;
             }
-            let _e289 = local_77;
-            high_2 = _e289;
-            let _e290 = front;
-            if _e290 {
-                let _e291 = heightHigh;
-                local_78 = _e291;
+            let _e291 = local_83;
+            high_2 = _e291;
+            let _e292 = front;
+            if _e292 {
+                let _e293 = heightHigh;
+                local_84 = _e293;
             } else {
-                let _e292 = height_1;
-                local_78 = _e292;
+                let _e294 = height_2;
+                local_84 = _e294;
             }
-            let _e294 = local_78;
-            heightHigh = _e294;
+            let _e296 = local_84;
+            heightHigh = _e296;
         }
         continuing {
-            let _e209 = k_24;
-            k_24 = (_e209 + 1i);
+            let _e211 = k_24;
+            k_24 = (_e211 + 1i);
         }
     }
-    let _e295 = low_7;
-    let _e296 = high_2;
-    let _e297 = heightLow;
-    let _e298 = heightLow;
-    let _e299 = heightHigh;
-    u_12 = mix(_e295, _e296, (_e297 / max((_e298 - _e299), 0.000000000000000000000000000001f)));
-    let _e307 = u_12;
-    let _e309 = origin_9;
-    near = ((1f - _e307) / _e309.w);
-    let _e313 = u_12;
-    let _e314 = to;
-    far = (_e313 / _e314.w);
-    let _e319 = view_14;
-    let _e321 = end_1;
-    let _e323 = far;
-    let _e325 = near;
-    let _e326 = far;
-    met_1.metres = (((_e319.reach * _e321) * _e323) / (_e325 + _e326));
-    let _e330 = heightLow;
-    let _e331 = heightHigh;
-    let _e334 = gap;
-    let _e337 = gap;
-    met_1.seen = (((_e330 - _e331) < (0.5f * _e334)) || (_e337 < 0.000001f));
-    let _e341 = met_1;
-    return _e341;
+    let _e297 = low_7;
+    let _e298 = high_2;
+    let _e299 = heightLow;
+    let _e300 = heightLow;
+    let _e301 = heightHigh;
+    u_18 = mix(_e297, _e298, (_e299 / max((_e300 - _e301), 0.000000000000000000000000000001f)));
+    let _e309 = u_18;
+    let _e311 = origin_9;
+    near = ((1f - _e309) / _e311.w);
+    let _e315 = u_18;
+    let _e316 = to;
+    far = (_e315 / _e316.w);
+    let _e321 = view_14;
+    let _e323 = end_1;
+    let _e325 = far;
+    let _e327 = near;
+    let _e328 = far;
+    met_2.metres = (((_e321.reach * _e323) * _e325) / (_e327 + _e328));
+    let _e331 = heightLow;
+    let _e332 = heightHigh;
+    let _e335 = gap;
+    let _e338 = gap;
+    surface_6 = (((_e331 - _e332) < (0.5f * _e335)) || (_e338 < 0.000001f));
+    let _e344 = surface_6;
+    let _e346 = near;
+    let _e347 = far;
+    let _e352 = depth_8;
+    let _e354 = view_14;
+    met_2.seen = (_e344 || (((1f / max((_e346 + _e347), 0.000000000000000000000000000001f)) - _e352) < (SCENE_THICK * _e354.reach)));
+    let _e359 = met_2;
+    return _e359;
 }
 
-fn sceneIntersection(origin_10: vec3<f32>, direction_10: vec3<f32>, view_15: SceneView) -> SceneIntersection {
+fn sceneIntersection(origin_10: vec3<f32>, direction_18: vec3<f32>, view_15: SceneView) -> SceneIntersection {
     var origin_11: vec3<f32>;
-    var direction_11: vec3<f32>;
+    var direction_19: vec3<f32>;
     var view_16: SceneView;
     var from_: vec4<f32>;
-    var along_11: vec4<f32>;
-    var met_2: SceneIntersection;
+    var along_14: vec4<f32>;
+    var met_3: SceneIntersection;
 
     origin_11 = origin_10;
-    direction_11 = direction_10;
+    direction_19 = direction_18;
     view_16 = view_15;
-    let _e29 = view_16;
-    let _e31 = origin_11;
-    from_ = (_e29.clipFromWorld * vec4<f32>(_e31.x, _e31.y, _e31.z, 1f));
-    let _e39 = view_16;
-    let _e41 = direction_11;
-    along_11 = (_e39.clipFromWorld * vec4<f32>(_e41.x, _e41.y, _e41.z, 0f));
-    let _e49 = from_;
-    let _e50 = along_11;
-    let _e51 = view_16;
-    let _e52 = sceneGuess(_e49, _e50, _e51);
-    met_2 = _e52;
-    let _e54 = met_2;
-    if !(_e54.seen) {
-        let _e57 = from_;
-        let _e58 = along_11;
-        let _e59 = view_16;
-        let _e60 = sceneMarch(_e57, _e58, _e59);
-        met_2 = _e60;
+    let _e31 = view_16;
+    let _e33 = origin_11;
+    from_ = (_e31.clipFromWorld * vec4<f32>(_e33.x, _e33.y, _e33.z, 1f));
+    let _e41 = view_16;
+    let _e43 = direction_19;
+    along_14 = (_e41.clipFromWorld * vec4<f32>(_e43.x, _e43.y, _e43.z, 0f));
+    let _e51 = from_;
+    let _e52 = along_14;
+    let _e53 = view_16;
+    let _e54 = sceneGuess(_e51, _e52, _e53);
+    met_3 = _e54;
+    let _e56 = met_3;
+    if !(_e56.seen) {
+        let _e59 = from_;
+        let _e60 = along_14;
+        let _e61 = view_16;
+        let _e62 = sceneMarch(_e59, _e60, _e61);
+        met_3 = _e62;
     }
-    let _e61 = met_2;
-    return _e61;
+    let _e63 = met_3;
+    return _e63;
 }
 
-fn engineBackFace(at_15: vec2<f32>) -> vec4<f32> {
-    var at_16: vec2<f32>;
+fn engineBackFace(at_16: vec2<f32>) -> vec4<f32> {
+    var at_17: vec2<f32>;
 
-    at_16 = at_15;
+    at_17 = at_16;
     return vec4(0f);
 }
 
-fn pixelStep(view_17: SceneView, axis: i32) -> vec3<f32> {
+fn pixelStep(view_17: SceneView, axis_1: i32) -> vec3<f32> {
     var view_18: SceneView;
-    var axis_1: i32;
+    var axis_2: i32;
     var forward: vec3<f32>;
-    var local_79: vec3<f32>;
+    var local_85: vec3<f32>;
     var row: vec3<f32>;
-    var across_9: vec3<f32>;
-    var local_80: f32;
+    var across_11: vec3<f32>;
+    var local_86: f32;
 
     view_18 = view_17;
-    axis_1 = axis;
-    let _e33 = view_18.clipFromWorld[0][3];
-    let _e39 = view_18.clipFromWorld[1][3];
-    let _e45 = view_18.clipFromWorld[2][3];
-    forward = vec3<f32>(_e33, _e39, _e45);
-    let _e48 = axis_1;
-    if (_e48 == 0i) {
-        let _e56 = view_18.clipFromWorld[0][0];
-        let _e62 = view_18.clipFromWorld[1][0];
-        let _e68 = view_18.clipFromWorld[2][0];
-        local_79 = vec3<f32>(_e56, _e62, _e68);
+    axis_2 = axis_1;
+    let _e35 = view_18.clipFromWorld[0][3];
+    let _e41 = view_18.clipFromWorld[1][3];
+    let _e47 = view_18.clipFromWorld[2][3];
+    forward = vec3<f32>(_e35, _e41, _e47);
+    let _e50 = axis_2;
+    if (_e50 == 0i) {
+        let _e58 = view_18.clipFromWorld[0][0];
+        let _e64 = view_18.clipFromWorld[1][0];
+        let _e70 = view_18.clipFromWorld[2][0];
+        local_85 = vec3<f32>(_e58, _e64, _e70);
     } else {
-        let _e75 = view_18.clipFromWorld[0][1];
-        let _e81 = view_18.clipFromWorld[1][1];
-        let _e87 = view_18.clipFromWorld[2][1];
-        local_79 = vec3<f32>(_e75, _e81, _e87);
+        let _e77 = view_18.clipFromWorld[0][1];
+        let _e83 = view_18.clipFromWorld[1][1];
+        let _e89 = view_18.clipFromWorld[2][1];
+        local_85 = vec3<f32>(_e77, _e83, _e89);
     }
-    let _e90 = local_79;
-    row = _e90;
-    let _e92 = row;
-    let _e93 = row;
-    let _e94 = forward;
+    let _e92 = local_85;
+    row = _e92;
+    let _e94 = row;
+    let _e95 = row;
     let _e96 = forward;
-    across_9 = (_e92 - (dot(_e93, _e94) * _e96));
-    let _e100 = axis_1;
-    if (_e100 == 0i) {
-        let _e104 = view_18;
-        local_80 = (2f / _e104.size.x);
+    let _e98 = forward;
+    across_11 = (_e94 - (dot(_e95, _e96) * _e98));
+    let _e102 = axis_2;
+    if (_e102 == 0i) {
+        let _e106 = view_18;
+        local_86 = (2f / _e106.size.x);
     } else {
-        let _e110 = view_18;
-        local_80 = (-2f / _e110.size.y);
+        let _e112 = view_18;
+        local_86 = (-2f / _e112.size.y);
     }
-    let _e115 = local_80;
-    let _e116 = across_9;
-    let _e117 = across_9;
-    let _e120 = across_9;
-    return ((_e115 / dot(_e116, _e117)) * _e120);
+    let _e117 = local_86;
+    let _e118 = across_11;
+    let _e119 = across_11;
+    let _e122 = across_11;
+    return ((_e117 / dot(_e118, _e119)) * _e122);
 }
 
-fn backFaceAt(at_17: vec2<f32>, p_10: vec3<f32>, w_27: f32, number: f32, view_19: SceneView) -> BackFace {
-    var at_18: vec2<f32>;
+fn backFaceAt(at_18: vec2<f32>, p_10: vec3<f32>, w_27: f32, number: f32, view_19: SceneView) -> BackFace {
+    var at_19: vec2<f32>;
     var p_11: vec3<f32>;
     var w_28: f32;
     var number_1: f32;
     var view_20: SceneView;
     var texel_4: vec4<f32>;
-    var off: vec2<f32>;
+    var off_1: vec2<f32>;
     var face_6: BackFace;
 
-    at_18 = at_17;
+    at_19 = at_18;
     p_11 = p_10;
     w_28 = w_27;
     number_1 = number;
     view_20 = view_19;
-    let _e34 = at_18;
-    let _e35 = engineBackFace(_e34);
-    texel_4 = _e35;
-    let _e37 = at_18;
-    let _e42 = at_18;
-    off = ((floor(_e37) + vec2(0.5f)) - _e42);
-    let _e47 = view_20;
-    let _e49 = p_11;
-    let _e50 = view_20;
-    let _e53 = texel_4;
-    let _e55 = w_28;
-    let _e59 = texel_4;
-    let _e61 = off;
-    let _e63 = view_20;
-    let _e65 = pixelStep(_e63, 0i);
-    let _e67 = off;
-    let _e69 = view_20;
-    let _e71 = pixelStep(_e69, 1i);
-    face_6.point = ((_e47.eye + ((_e49 - _e50.eye) * (_e53.z / _e55))) + (_e59.z * ((_e61.x * _e65) + (_e67.y * _e71))));
-    let _e77 = texel_4;
+    let _e36 = at_19;
+    let _e37 = engineBackFace(_e36);
+    texel_4 = _e37;
+    let _e39 = at_19;
+    let _e44 = at_19;
+    off_1 = ((floor(_e39) + vec2(0.5f)) - _e44);
+    let _e49 = view_20;
+    let _e51 = p_11;
+    let _e52 = view_20;
+    let _e55 = texel_4;
+    let _e57 = w_28;
+    let _e61 = texel_4;
+    let _e63 = off_1;
+    let _e65 = view_20;
+    let _e67 = pixelStep(_e65, 0i);
+    let _e69 = off_1;
+    let _e71 = view_20;
+    let _e73 = pixelStep(_e71, 1i);
+    face_6.point = ((_e49.eye + ((_e51 - _e52.eye) * (_e55.z / _e57))) + (_e61.z * ((_e63.x * _e67) + (_e69.y * _e73))));
     let _e79 = texel_4;
-    let _e82 = octDecode(vec2<f32>(_e77.x, _e79.y));
-    face_6.n = _e82;
-    let _e85 = texel_4;
-    face_6.alpha = (2f * fract(_e85.w));
-    let _e90 = texel_4;
-    let _e93 = number_1;
-    face_6.exists = (floor(_e90.w) == _e93);
-    let _e95 = face_6;
-    return _e95;
+    let _e81 = texel_4;
+    let _e84 = octDecode(vec2<f32>(_e79.x, _e81.y));
+    face_6.n = _e84;
+    let _e87 = texel_4;
+    face_6.alpha = (2f * fract(_e87.w));
+    let _e92 = texel_4;
+    let _e95 = number_1;
+    face_6.exists = (floor(_e92.w) == _e95);
+    let _e97 = face_6;
+    return _e97;
 }
 
-fn backFaceBeside(own: BackFace, at_19: vec2<f32>, p_12: vec3<f32>, w_29: f32, number_2: f32, view_21: SceneView) -> BackFace {
+fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, w_29: f32, number_2: f32, view_21: SceneView) -> BackFace {
     var own_1: BackFace;
-    var at_20: vec2<f32>;
+    var at_21: vec2<f32>;
     var p_13: vec3<f32>;
     var w_30: f32;
     var number_3: f32;
     var view_22: SceneView;
-    var beside_1: BackFace;
+    var beside_5: BackFace;
 
     own_1 = own;
-    at_20 = at_19;
+    at_21 = at_20;
     p_13 = p_12;
     w_30 = w_29;
     number_3 = number_2;
     view_22 = view_21;
-    let _e36 = at_20;
-    let _e37 = p_13;
-    let _e38 = w_30;
-    let _e39 = number_3;
-    let _e40 = view_22;
-    let _e41 = backFaceAt(_e36, _e37, _e38, _e39, _e40);
-    beside_1 = _e41;
-    let _e43 = beside_1;
-    let _e45 = own_1;
+    let _e38 = at_21;
+    let _e39 = p_13;
+    let _e40 = w_30;
+    let _e41 = number_3;
+    let _e42 = view_22;
+    let _e43 = backFaceAt(_e38, _e39, _e40, _e41, _e42);
+    beside_5 = _e43;
+    let _e45 = beside_5;
     let _e47 = own_1;
-    let _e49 = beside_1;
-    let _e51 = beside_1;
-    let _e53 = exitSame(_e45.point, _e47.n, _e49.point, _e51.n);
-    if (_e43.exists && _e53) {
-        let _e55 = beside_1;
-        return _e55;
+    let _e49 = own_1;
+    let _e51 = beside_5;
+    let _e53 = beside_5;
+    let _e55 = exitSame(_e47.point, _e49.n, _e51.point, _e53.n);
+    if (_e45.exists && _e55) {
+        let _e57 = beside_5;
+        return _e57;
     }
-    let _e56 = own_1;
-    return _e56;
+    let _e58 = own_1;
+    return _e58;
 }
 
-fn backFaceBetween(face_7: BackFace, at_21: vec2<f32>, hit: vec2<f32>, p_14: vec3<f32>, w_31: f32, number_4: f32, origin_12: vec3<f32>, direction_12: vec3<f32>, view_23: SceneView) -> BackFaceExit {
+fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec3<f32>, w_31: f32, number_4: f32, origin_12: vec3<f32>, direction_20: vec3<f32>, view_23: SceneView) -> BackFaceExit {
     var face_8: BackFace;
-    var at_22: vec2<f32>;
+    var at_23: vec2<f32>;
     var hit_1: vec2<f32>;
     var p_15: vec3<f32>;
     var w_32: f32;
     var number_5: f32;
     var origin_13: vec3<f32>;
-    var direction_13: vec3<f32>;
+    var direction_21: vec3<f32>;
     var view_24: SceneView;
     var stepX_2: vec3<f32>;
     var stepY_2: vec3<f32>;
-    var right_1: BackFace;
-    var below_3: BackFace;
-    var off_1: vec2<f32>;
-    var found: BackFaceExit;
-    var cosTheta_34: f32;
+    var right_2: BackFace;
+    var below_6: BackFace;
+    var off_2: vec2<f32>;
+    var found_2: BackFaceExit;
+    var cosTheta_38: f32;
     var curvature_4: vec2<f32>;
 
     face_8 = face_7;
-    at_22 = at_21;
+    at_23 = at_22;
     hit_1 = hit;
     p_15 = p_14;
     w_32 = w_31;
     number_5 = number_4;
     origin_13 = origin_12;
-    direction_13 = direction_12;
+    direction_21 = direction_20;
     view_24 = view_23;
-    let _e42 = view_24;
-    let _e44 = pixelStep(_e42, 0i);
-    stepX_2 = _e44;
-    let _e46 = view_24;
-    let _e48 = pixelStep(_e46, 1i);
-    stepY_2 = _e48;
-    let _e50 = face_8;
-    let _e51 = at_22;
-    let _e56 = p_15;
-    let _e57 = w_32;
-    let _e58 = stepX_2;
-    let _e61 = w_32;
-    let _e62 = number_5;
-    let _e63 = view_24;
-    let _e64 = backFaceBeside(_e50, (_e51 + vec2<f32>(1f, 0f)), (_e56 + (_e57 * _e58)), _e61, _e62, _e63);
-    right_1 = _e64;
-    let _e66 = face_8;
-    let _e67 = at_22;
-    let _e72 = p_15;
-    let _e73 = w_32;
-    let _e74 = stepY_2;
-    let _e77 = w_32;
-    let _e78 = number_5;
-    let _e79 = view_24;
-    let _e80 = backFaceBeside(_e66, (_e67 + vec2<f32>(0f, 1f)), (_e72 + (_e73 * _e74)), _e77, _e78, _e79);
-    below_3 = _e80;
-    let _e82 = hit_1;
-    let _e83 = at_22;
-    off_1 = ((_e82 - floor(_e83)) - vec2(0.5f));
-    let _e94 = face_8;
-    let _e96 = off_1;
-    let _e98 = right_1;
-    let _e100 = face_8;
-    let _e105 = off_1;
-    let _e107 = below_3;
-    let _e109 = face_8;
-    found.exit.surface.n = normalize(((_e94.n + (_e96.x * (_e98.n - _e100.n))) + (_e105.y * (_e107.n - _e109.n))));
-    let _e118 = face_8;
-    found.exit.surface.alpha = _e118.alpha;
-    let _e122 = origin_13;
-    let _e123 = direction_13;
-    let _e124 = face_8;
+    let _e44 = view_24;
+    let _e46 = pixelStep(_e44, 0i);
+    stepX_2 = _e46;
+    let _e48 = view_24;
+    let _e50 = pixelStep(_e48, 1i);
+    stepY_2 = _e50;
+    let _e52 = face_8;
+    let _e53 = at_23;
+    let _e58 = p_15;
+    let _e59 = w_32;
+    let _e60 = stepX_2;
+    let _e63 = w_32;
+    let _e64 = number_5;
+    let _e65 = view_24;
+    let _e66 = backFaceBeside(_e52, (_e53 + vec2<f32>(1f, 0f)), (_e58 + (_e59 * _e60)), _e63, _e64, _e65);
+    right_2 = _e66;
+    let _e68 = face_8;
+    let _e69 = at_23;
+    let _e74 = p_15;
+    let _e75 = w_32;
+    let _e76 = stepY_2;
+    let _e79 = w_32;
+    let _e80 = number_5;
+    let _e81 = view_24;
+    let _e82 = backFaceBeside(_e68, (_e69 + vec2<f32>(0f, 1f)), (_e74 + (_e75 * _e76)), _e79, _e80, _e81);
+    below_6 = _e82;
+    let _e84 = hit_1;
+    let _e85 = at_23;
+    off_2 = ((_e84 - floor(_e85)) - vec2(0.5f));
+    let _e96 = face_8;
+    let _e98 = off_2;
+    let _e100 = right_2;
+    let _e102 = face_8;
+    let _e107 = off_2;
+    let _e109 = below_6;
+    let _e111 = face_8;
+    found_2.exit.surface.n = normalize(((_e96.n + (_e98.x * (_e100.n - _e102.n))) + (_e107.y * (_e109.n - _e111.n))));
+    let _e120 = face_8;
+    found_2.exit.surface.alpha = _e120.alpha;
+    let _e124 = origin_13;
+    let _e125 = direction_21;
     let _e126 = face_8;
-    let _e128 = exitPlane(_e122, _e123, _e124.point, _e126.n);
-    found.exit.path = _e128;
-    let _e129 = direction_13;
-    let _e130 = found;
-    cosTheta_34 = dot(_e129, _e130.exit.surface.n);
-    let _e136 = face_8;
-    let _e138 = direction_13;
-    let _e139 = right_1;
-    let _e141 = face_8;
-    let _e144 = right_1;
-    let _e146 = face_8;
-    let _e149 = below_3;
-    let _e151 = face_8;
-    let _e154 = below_3;
-    let _e156 = face_8;
-    let _e159 = exitCurvature(_e136.n, _e138, (_e139.point - _e141.point), (_e144.n - _e146.n), (_e149.point - _e151.point), (_e154.n - _e156.n));
-    curvature_4 = _e159;
-    let _e164 = cosTheta_34;
-    let _e165 = found;
-    let _e168 = curvature_4;
-    let _e169 = exitTurn(_e164, _e165.exit.path, _e168);
-    found.exit.surface.turn = _e169;
-    let _e171 = cosTheta_34;
-    found.found = (_e171 > 0f);
-    let _e174 = found;
-    return _e174;
+    let _e128 = face_8;
+    let _e130 = exitPlane(_e124, _e125, _e126.point, _e128.n);
+    found_2.exit.path = _e130;
+    let _e131 = direction_21;
+    let _e132 = found_2;
+    cosTheta_38 = dot(_e131, _e132.exit.surface.n);
+    let _e138 = face_8;
+    let _e140 = direction_21;
+    let _e141 = right_2;
+    let _e143 = face_8;
+    let _e146 = right_2;
+    let _e148 = face_8;
+    let _e151 = below_6;
+    let _e153 = face_8;
+    let _e156 = below_6;
+    let _e158 = face_8;
+    let _e161 = exitCurvature(_e138.n, _e140, (_e141.point - _e143.point), (_e146.n - _e148.n), (_e151.point - _e153.point), (_e156.n - _e158.n));
+    curvature_4 = _e161;
+    let _e166 = cosTheta_38;
+    let _e167 = found_2;
+    let _e170 = curvature_4;
+    let _e171 = exitTurn(_e166, _e167.exit.path, _e170);
+    found_2.exit.surface.turn = _e171;
+    let _e173 = cosTheta_38;
+    found_2.found = (_e173 > 0f);
+    let _e176 = found_2;
+    return _e176;
 }
 
-fn backFaceExit(origin_14: vec3<f32>, direction_14: vec3<f32>, first_6: f32, eta_44: f32, number_6: f32, view_25: SceneView) -> BackFaceExit {
+fn backFaceExit(origin_14: vec3<f32>, direction_22: vec3<f32>, first_6: f32, eta_44: f32, number_6: f32, view_25: SceneView) -> BackFaceExit {
     var origin_15: vec3<f32>;
-    var direction_15: vec3<f32>;
+    var direction_23: vec3<f32>;
     var first_7: f32;
     var eta_45: f32;
     var number_7: f32;
     var view_26: SceneView;
     var none: BackFaceExit;
     var inside_2: f32 = 0f;
-    var t_28: f32;
+    var t_29: f32;
     var k_25: i32 = 0i;
     var p_16: vec3<f32>;
     var clip_3: vec4<f32>;
-    var at_23: vec2<f32>;
+    var at_24: vec2<f32>;
     var face_9: BackFace;
-    var met_3: f32;
+    var met_4: f32;
     var meets: bool;
     var there_1: vec4<f32>;
     var hit_2: vec2<f32>;
     var moved: vec2<f32>;
-    var found_1: BackFaceExit;
+    var found_3: BackFaceExit;
 
     origin_15 = origin_14;
-    direction_15 = direction_14;
+    direction_23 = direction_22;
     first_7 = first_6;
     eta_45 = eta_44;
     number_7 = number_6;
     view_26 = view_25;
-    let _e40 = direction_15;
-    none.exit.surface.n = _e40;
+    let _e42 = direction_23;
+    none.exit.surface.n = _e42;
     none.exit.surface.alpha = 0f;
     none.exit.surface.turn = vec2(0f);
     none.exit.path = 0f;
-    let _e56 = eta_45;
-    none.exit.surface.eta = _e56;
+    let _e58 = eta_45;
+    none.exit.surface.eta = _e58;
     none.found = false;
-    let _e61 = first_7;
-    t_28 = _e61;
+    let _e63 = first_7;
+    t_29 = _e63;
     loop {
-        let _e65 = k_25;
-        if !((_e65 < BACK_FACE_STEPS)) {
+        let _e67 = k_25;
+        if !((_e67 < BACK_FACE_STEPS)) {
             break;
         }
         {
-            let _e71 = origin_15;
-            let _e72 = t_28;
-            let _e73 = direction_15;
-            p_16 = (_e71 + (_e72 * _e73));
-            let _e77 = view_26;
-            let _e79 = p_16;
-            clip_3 = (_e77.clipFromWorld * vec4<f32>(_e79.x, _e79.y, _e79.z, 1f));
-            let _e87 = clip_3;
-            if !((_e87.w > 0f)) {
-                let _e92 = none;
-                return _e92;
+            let _e73 = origin_15;
+            let _e74 = t_29;
+            let _e75 = direction_23;
+            p_16 = (_e73 + (_e74 * _e75));
+            let _e79 = view_26;
+            let _e81 = p_16;
+            clip_3 = (_e79.clipFromWorld * vec4<f32>(_e81.x, _e81.y, _e81.z, 1f));
+            let _e89 = clip_3;
+            if !((_e89.w > 0f)) {
+                let _e94 = none;
+                return _e94;
             }
-            let _e93 = clip_3;
-            let _e94 = view_26;
-            let _e96 = scenePixel(_e93, _e94.size);
-            at_23 = _e96;
-            let _e98 = at_23;
-            let _e99 = p_16;
-            let _e100 = clip_3;
-            let _e102 = number_7;
-            let _e103 = view_26;
-            let _e104 = backFaceAt(_e98, _e99, _e100.w, _e102, _e103);
-            face_9 = _e104;
-            let _e106 = origin_15;
-            let _e107 = direction_15;
-            let _e108 = face_9;
+            let _e95 = clip_3;
+            let _e96 = view_26;
+            let _e98 = scenePixel(_e95, _e96.size);
+            at_24 = _e98;
+            let _e100 = at_24;
+            let _e101 = p_16;
+            let _e102 = clip_3;
+            let _e104 = number_7;
+            let _e105 = view_26;
+            let _e106 = backFaceAt(_e100, _e101, _e102.w, _e104, _e105);
+            face_9 = _e106;
+            let _e108 = origin_15;
+            let _e109 = direction_23;
             let _e110 = face_9;
-            let _e112 = exitPlane(_e106, _e107, _e108.point, _e110.n);
-            met_3 = _e112;
-            let _e114 = face_9;
-            let _e116 = direction_15;
-            let _e117 = face_9;
-            let _e123 = met_3;
-            meets = ((_e114.exists && (dot(_e116, _e117.n) > 0f)) && (_e123 > 0f));
-            let _e128 = k_25;
-            let _e131 = meets;
-            let _e134 = face_9;
-            if (((_e128 == 0i) && !(_e131)) && _e134.exists) {
+            let _e112 = face_9;
+            let _e114 = exitPlane(_e108, _e109, _e110.point, _e112.n);
+            met_4 = _e114;
+            let _e116 = face_9;
+            let _e118 = direction_23;
+            let _e119 = face_9;
+            let _e125 = met_4;
+            meets = ((_e116.exists && (dot(_e118, _e119.n) > 0f)) && (_e125 > 0f));
+            let _e130 = k_25;
+            let _e133 = meets;
+            let _e136 = face_9;
+            if (((_e130 == 0i) && !(_e133)) && _e136.exists) {
                 {
-                    let _e137 = face_9;
-                    let _e139 = p_16;
-                    t_28 = length((_e137.point - _e139));
+                    let _e139 = face_9;
+                    let _e141 = p_16;
+                    t_29 = length((_e139.point - _e141));
                     continue;
                 }
             }
-            let _e142 = k_25;
-            let _e145 = meets;
-            if ((_e142 == 0i) && !(_e145)) {
-                let _e148 = none;
-                return _e148;
+            let _e144 = k_25;
+            let _e147 = meets;
+            if ((_e144 == 0i) && !(_e147)) {
+                let _e150 = none;
+                return _e150;
             }
-            let _e149 = meets;
-            if !(_e149) {
+            let _e151 = meets;
+            if !(_e151) {
                 {
-                    let _e152 = inside_2;
-                    let _e153 = t_28;
-                    t_28 = (0.5f * (_e152 + _e153));
+                    let _e154 = inside_2;
+                    let _e155 = t_29;
+                    t_29 = (0.5f * (_e154 + _e155));
                     continue;
                 }
             }
-            let _e156 = view_26;
-            let _e158 = origin_15;
-            let _e159 = met_3;
-            let _e160 = direction_15;
-            let _e162 = (_e158 + (_e159 * _e160));
-            there_1 = (_e156.clipFromWorld * vec4<f32>(_e162.x, _e162.y, _e162.z, 1f));
-            let _e170 = there_1;
-            let _e171 = view_26;
-            let _e173 = scenePixel(_e170, _e171.size);
-            hit_2 = _e173;
-            let _e175 = hit_2;
-            let _e176 = at_23;
-            moved = (_e175 - _e176);
-            let _e179 = there_1;
-            let _e183 = moved;
-            let _e184 = moved;
-            if ((_e179.w > 0f) && (dot(_e183, _e184) < 0.5f)) {
+            let _e158 = view_26;
+            let _e160 = origin_15;
+            let _e161 = met_4;
+            let _e162 = direction_23;
+            let _e164 = (_e160 + (_e161 * _e162));
+            there_1 = (_e158.clipFromWorld * vec4<f32>(_e164.x, _e164.y, _e164.z, 1f));
+            let _e172 = there_1;
+            let _e173 = view_26;
+            let _e175 = scenePixel(_e172, _e173.size);
+            hit_2 = _e175;
+            let _e177 = hit_2;
+            let _e178 = at_24;
+            moved = (_e177 - _e178);
+            let _e181 = there_1;
+            let _e185 = moved;
+            let _e186 = moved;
+            if ((_e181.w > 0f) && (dot(_e185, _e186) < 0.5f)) {
                 {
-                    let _e189 = face_9;
-                    let _e190 = at_23;
-                    let _e191 = hit_2;
-                    let _e192 = p_16;
-                    let _e193 = clip_3;
-                    let _e195 = number_7;
-                    let _e196 = origin_15;
-                    let _e197 = direction_15;
-                    let _e198 = view_26;
-                    let _e199 = backFaceBetween(_e189, _e190, _e191, _e192, _e193.w, _e195, _e196, _e197, _e198);
-                    found_1 = _e199;
-                    let _e204 = eta_45;
-                    found_1.exit.surface.eta = _e204;
-                    let _e205 = found_1;
-                    return _e205;
+                    let _e191 = face_9;
+                    let _e192 = at_24;
+                    let _e193 = hit_2;
+                    let _e194 = p_16;
+                    let _e195 = clip_3;
+                    let _e197 = number_7;
+                    let _e198 = origin_15;
+                    let _e199 = direction_23;
+                    let _e200 = view_26;
+                    let _e201 = backFaceBetween(_e191, _e192, _e193, _e194, _e195.w, _e197, _e198, _e199, _e200);
+                    found_3 = _e201;
+                    let _e206 = eta_45;
+                    found_3.exit.surface.eta = _e206;
+                    let _e207 = found_3;
+                    return _e207;
                 }
             }
-            let _e206 = t_28;
-            inside_2 = _e206;
-            let _e207 = met_3;
-            t_28 = _e207;
+            let _e208 = t_29;
+            inside_2 = _e208;
+            let _e209 = met_4;
+            t_29 = _e209;
         }
         continuing {
-            let _e68 = k_25;
-            k_25 = (_e68 + 1i);
+            let _e70 = k_25;
+            k_25 = (_e70 + 1i);
         }
     }
-    let _e208 = none;
-    return _e208;
+    let _e210 = none;
+    return _e210;
 }
 
-fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_12: ExitSurface, angle: f32, sigma_4: f32, weight: f32, energy_1: f32) -> ComposedLobe {
+fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: f32, sigma_8: f32, weight: f32, energy_1: f32) -> ComposedLobe {
     var inner_3: InnerLobe;
     var view_28: ExitView;
-    var s_13: ExitSurface;
+    var s_18: ExitSurface;
     var angle_1: f32;
-    var sigma_5: f32;
+    var sigma_9: f32;
     var weight_1: f32;
     var energy_2: f32;
-    var lobe_2: ComposedLobe;
+    var lobe_3: ComposedLobe;
     var ratio_1: f32;
-    var along_12: vec3<f32>;
-    var sinTheta: f32;
-    var t_29: vec3<f32>;
-    var d_17: vec2<f32>;
+    var along_15: vec3<f32>;
+    var sinTheta_1: f32;
+    var t_30: vec3<f32>;
+    var d_18: vec2<f32>;
     var l_4: vec2<f32>;
-    var local_81: f32;
+    var local_87: f32;
     var h_15: vec2<f32>;
     var bend: f32;
     var ci: f32;
     var co: f32;
     var rays_1: f32;
-    var turned: f32;
+    var turned_1: f32;
     var kept: f32;
     var seen_1: f32;
-    var across_10: f32;
+    var across_12: f32;
     var sigma2_: f32;
     var inPlane: f32;
     var outOfPlane: f32;
-    var local_82: f32;
+    var local_88: f32;
     var carriedInPlane: f32;
 
     inner_3 = inner_2;
     view_28 = view_27;
-    s_13 = s_12;
+    s_18 = s_17;
     angle_1 = angle;
-    sigma_5 = sigma_4;
+    sigma_9 = sigma_8;
     weight_1 = weight;
     energy_2 = energy_1;
-    let _e44 = inner_3;
-    lobe_2.direction = _e44.direction;
-    let _e47 = inner_3;
-    lobe_2.sigma = _e47.sigma;
-    let _e50 = inner_3;
-    lobe_2.inner = _e50.sigma;
-    let _e53 = inner_3;
-    lobe_2.carried = _e53.sigma;
-    let _e56 = inner_3;
-    let _e58 = weight_1;
-    let _e60 = energy_2;
-    lobe_2.weight = ((_e56.weight * _e58) * _e60);
-    let _e62 = view_28;
-    if !((_e62.cosTheta > 0f)) {
-        lobe_2.weight = 0f;
+    let _e46 = inner_3;
+    lobe_3.direction = _e46.direction;
+    let _e49 = inner_3;
+    lobe_3.sigma = _e49.sigma;
+    let _e52 = inner_3;
+    lobe_3.inner = _e52.sigma;
+    let _e55 = inner_3;
+    lobe_3.carried = _e55.sigma;
+    let _e58 = inner_3;
+    let _e60 = weight_1;
+    let _e62 = energy_2;
+    lobe_3.weight = ((_e58.weight * _e60) * _e62);
+    let _e64 = view_28;
+    if !((_e64.cosTheta > 0f)) {
+        lobe_3.weight = 0f;
     }
-    let _e70 = s_13;
-    ratio_1 = (1f / _e70.eta);
-    let _e74 = view_28;
-    let _e79 = ratio_1;
-    if (!((_e74.cosTheta > 0f)) || (abs((_e79 - 1f)) < INDEX_MATCHED)) {
-        let _e85 = lobe_2;
-        return _e85;
+    let _e72 = s_18;
+    ratio_1 = (1f / _e72.eta);
+    let _e76 = view_28;
+    let _e81 = ratio_1;
+    if (!((_e76.cosTheta > 0f)) || (abs((_e81 - 1f)) < INDEX_MATCHED)) {
+        let _e87 = lobe_3;
+        return _e87;
     }
-    let _e86 = inner_3;
-    let _e88 = view_28;
-    let _e90 = s_13;
-    along_12 = (_e86.direction - (_e88.cosTheta * _e90.n));
-    let _e95 = along_12;
-    sinTheta = length(_e95);
-    let _e98 = along_12;
-    let _e99 = sinTheta;
-    t_29 = (_e98 / vec3(max(_e99, 0.000000000001f)));
-    let _e105 = sinTheta;
-    let _e106 = view_28;
-    d_17 = vec2<f32>(_e105, _e106.cosTheta);
-    let _e110 = angle_1;
+    let _e88 = inner_3;
+    let _e90 = view_28;
+    let _e92 = s_18;
+    along_15 = (_e88.direction - (_e90.cosTheta * _e92.n));
+    let _e97 = along_15;
+    sinTheta_1 = length(_e97);
+    let _e100 = along_15;
+    let _e101 = sinTheta_1;
+    t_30 = (_e100 / vec3(max(_e101, 0.000000000001f)));
+    let _e107 = sinTheta_1;
+    let _e108 = view_28;
+    d_18 = vec2<f32>(_e107, _e108.cosTheta);
     let _e112 = angle_1;
-    l_4 = vec2<f32>(sin(_e110), cos(_e112));
-    let _e116 = ratio_1;
-    let _e117 = d_17;
-    let _e119 = l_4;
-    let _e121 = ratio_1;
-    if (_e121 < 1f) {
-        local_81 = -1f;
+    let _e114 = angle_1;
+    l_4 = vec2<f32>(sin(_e112), cos(_e114));
+    let _e118 = ratio_1;
+    let _e119 = d_18;
+    let _e121 = l_4;
+    let _e123 = ratio_1;
+    if (_e123 < 1f) {
+        local_87 = -1f;
     } else {
-        local_81 = 1f;
+        local_87 = 1f;
     }
-    let _e128 = local_81;
-    h_15 = (((_e116 * _e117) - _e119) * _e128);
-    let _e131 = h_15;
-    bend = max(length(_e131), 0.00005f);
-    let _e138 = d_17;
-    let _e139 = h_15;
-    let _e141 = bend;
-    ci = (dot(_e138, _e139) / _e141);
-    let _e144 = l_4;
-    let _e145 = h_15;
-    let _e147 = bend;
-    co = max((dot(_e144, _e145) / _e147), FACET_LEAST_COS);
-    let _e152 = view_28;
-    rays_1 = (1f - _e152.own);
-    let _e156 = angle_1;
-    let _e157 = rays_1;
-    let _e159 = view_28;
-    let _e162 = h_15;
+    let _e130 = local_87;
+    h_15 = (((_e118 * _e119) - _e121) * _e130);
+    let _e133 = h_15;
+    bend = max(length(_e133), 0.00005f);
+    let _e140 = d_18;
+    let _e141 = h_15;
+    let _e143 = bend;
+    ci = (dot(_e140, _e141) / _e143);
+    let _e146 = l_4;
+    let _e147 = h_15;
+    let _e149 = bend;
+    co = max((dot(_e146, _e147) / _e149), FACET_LEAST_COS);
+    let _e154 = view_28;
+    rays_1 = (1f - _e154.own);
+    let _e158 = angle_1;
+    let _e159 = rays_1;
+    let _e161 = view_28;
     let _e164 = h_15;
-    turned = clamp((_e156 - (((GIVEN_BACK * _e157) / _e159.swing) * atan2(_e162.x, abs(_e164.y)))), -1.5707964f, 1.5707964f);
-    let _e180 = turned;
-    let _e182 = t_29;
-    let _e184 = turned;
-    let _e186 = s_13;
-    lobe_2.direction = normalize(((sin(_e180) * _e182) + (cos(_e184) * _e186.n)));
-    let _e191 = view_28;
-    let _e193 = rays_1;
-    let _e195 = view_28;
-    let _e199 = view_28;
-    kept = (_e191.own - ((_e193 * (1f - _e195.swing)) / _e199.swing));
-    let _e204 = sigma_5;
-    let _e205 = co;
-    let _e208 = ratio_1;
-    let _e209 = ci;
-    let _e211 = kept;
-    let _e212 = co;
-    let _e216 = bend;
-    seen_1 = (((_e204 * inverseSqrt(_e205)) * ((_e208 * _e209) - (_e211 * _e212))) / _e216);
-    let _e219 = ratio_1;
-    let _e220 = co;
+    let _e166 = h_15;
+    turned_1 = clamp((_e158 - (((GIVEN_BACK * _e159) / _e161.swing) * atan2(_e164.x, abs(_e166.y)))), -1.5707964f, 1.5707964f);
+    let _e182 = turned_1;
+    let _e184 = t_30;
+    let _e186 = turned_1;
+    let _e188 = s_18;
+    lobe_3.direction = normalize(((sin(_e182) * _e184) + (cos(_e186) * _e188.n)));
+    let _e193 = view_28;
+    let _e195 = rays_1;
+    let _e197 = view_28;
+    let _e201 = view_28;
+    kept = (_e193.own - ((_e195 * (1f - _e197.swing)) / _e201.swing));
+    let _e206 = sigma_9;
+    let _e207 = co;
+    let _e210 = ratio_1;
+    let _e211 = ci;
+    let _e213 = kept;
+    let _e214 = co;
+    let _e218 = bend;
+    seen_1 = (((_e206 * inverseSqrt(_e207)) * ((_e210 * _e211) - (_e213 * _e214))) / _e218);
     let _e221 = ratio_1;
-    let _e222 = ci;
-    let _e225 = s_13;
-    across_10 = (_e219 + ((_e220 - (_e221 * _e222)) * _e225.turn.y));
-    let _e231 = inner_3;
+    let _e222 = co;
+    let _e223 = ratio_1;
+    let _e224 = ci;
+    let _e227 = s_18;
+    across_12 = (_e221 + ((_e222 - (_e223 * _e224)) * _e227.turn.y));
     let _e233 = inner_3;
-    sigma2_ = (_e231.sigma * _e233.sigma);
-    let _e237 = seen_1;
-    let _e238 = seen_1;
-    let _e240 = view_28;
-    let _e242 = sigma2_;
-    inPlane = min(((_e237 * _e238) + (_e240.own * _e242)), 0.09f);
-    let _e250 = view_28;
-    let _e252 = sigma_5;
-    let _e254 = sigma_5;
-    let _e256 = co;
-    let _e258 = across_10;
-    let _e259 = across_10;
-    let _e261 = sigma2_;
-    outOfPlane = ((((_e250.own * _e252) * _e254) * _e256) + ((_e258 * _e259) * _e261));
-    let _e266 = inPlane;
-    let _e267 = outOfPlane;
-    lobe_2.sigma = sqrt(sqrt((_e266 * _e267)));
-    let _e271 = view_28;
-    if (_e271.swing < 0f) {
-        let _e275 = rays_1;
-        local_82 = -(sqrt(_e275));
+    let _e235 = inner_3;
+    sigma2_ = (_e233.sigma * _e235.sigma);
+    let _e239 = seen_1;
+    let _e240 = seen_1;
+    let _e242 = view_28;
+    let _e244 = sigma2_;
+    inPlane = min(((_e239 * _e240) + (_e242.own * _e244)), 0.09f);
+    let _e252 = view_28;
+    let _e254 = sigma_9;
+    let _e256 = sigma_9;
+    let _e258 = co;
+    let _e260 = across_12;
+    let _e261 = across_12;
+    let _e263 = sigma2_;
+    outOfPlane = ((((_e252.own * _e254) * _e256) * _e258) + ((_e260 * _e261) * _e263));
+    let _e268 = inPlane;
+    let _e269 = outOfPlane;
+    lobe_3.sigma = sqrt(sqrt((_e268 * _e269)));
+    let _e273 = view_28;
+    if (_e273.swing < 0f) {
+        let _e277 = rays_1;
+        local_88 = -(sqrt(_e277));
     } else {
-        let _e278 = rays_1;
-        local_82 = sqrt(_e278);
+        let _e280 = rays_1;
+        local_88 = sqrt(_e280);
     }
-    let _e281 = local_82;
-    let _e282 = seen_1;
-    let _e284 = view_28;
-    let _e286 = inner_3;
-    carriedInPlane = ((_e281 * _e282) + (_e284.own * _e286.sigma));
-    let _e293 = carriedInPlane;
-    let _e294 = across_10;
-    let _e295 = inner_3;
-    let _e300 = lobe_2;
-    let _e303 = lobe_2;
-    lobe_2.carried = clamp((0.5f * (_e293 + (_e294 * _e295.sigma))), -(_e300.sigma), _e303.sigma);
-    let _e306 = lobe_2;
-    return _e306;
+    let _e283 = local_88;
+    let _e284 = seen_1;
+    let _e286 = view_28;
+    let _e288 = inner_3;
+    carriedInPlane = ((_e283 * _e284) + (_e286.own * _e288.sigma));
+    let _e295 = carriedInPlane;
+    let _e296 = across_12;
+    let _e297 = inner_3;
+    let _e302 = lobe_3;
+    let _e305 = lobe_3;
+    lobe_3.carried = clamp((0.5f * (_e295 + (_e296 * _e297.sigma))), -(_e302.sigma), _e305.sigma);
+    let _e308 = lobe_3;
+    return _e308;
 }
 
-fn mergeLobes(a_29: ComposedLobe, b_20: ComposedLobe) -> ComposedLobe {
-    var a_30: ComposedLobe;
-    var b_21: ComposedLobe;
+fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
+    var a_34: ComposedLobe;
+    var b_24: ComposedLobe;
     var weight_2: f32;
-    var local_83: f32;
-    var share_3: f32;
+    var local_89: f32;
+    var share_4: f32;
     var apart_1: vec3<f32>;
     var mean_2: vec3<f32>;
     var inner2_: f32;
     var both: f32;
-    var lobe_3: ComposedLobe;
-    var local_84: vec3<f32>;
-    var local_85: f32;
+    var lobe_4: ComposedLobe;
+    var local_90: vec3<f32>;
+    var local_91: f32;
 
-    a_30 = a_29;
-    b_21 = b_20;
-    let _e32 = a_30;
-    let _e34 = b_21;
-    weight_2 = (_e32.weight + _e34.weight);
-    let _e38 = weight_2;
-    if (_e38 > 0f) {
-        let _e41 = b_21;
-        let _e43 = weight_2;
-        local_83 = (_e41.weight / _e43);
+    a_34 = a_33;
+    b_24 = b_23;
+    let _e34 = a_34;
+    let _e36 = b_24;
+    weight_2 = (_e34.weight + _e36.weight);
+    let _e40 = weight_2;
+    if (_e40 > 0f) {
+        let _e43 = b_24;
+        let _e45 = weight_2;
+        local_89 = (_e43.weight / _e45);
     } else {
-        local_83 = 0f;
+        local_89 = 0f;
     }
-    let _e47 = local_83;
-    share_3 = _e47;
-    let _e49 = b_21;
-    let _e51 = a_30;
-    apart_1 = (_e49.direction - _e51.direction);
-    let _e55 = a_30;
-    let _e57 = share_3;
-    let _e58 = apart_1;
-    mean_2 = (_e55.direction + (_e57 * _e58));
-    let _e62 = a_30;
-    let _e64 = a_30;
-    let _e67 = b_21;
-    let _e69 = b_21;
-    let _e72 = share_3;
-    inner2_ = mix((_e62.inner * _e64.inner), (_e67.inner * _e69.inner), _e72);
-    let _e75 = a_30;
-    let _e77 = a_30;
-    let _e80 = b_21;
-    let _e82 = b_21;
-    let _e85 = share_3;
-    both = mix((_e75.inner * _e77.carried), (_e80.inner * _e82.carried), _e85);
-    let _e90 = weight_2;
-    lobe_3.weight = _e90;
-    let _e92 = mean_2;
-    let _e93 = mean_2;
-    if (dot(_e92, _e93) > 0.000001f) {
-        let _e97 = mean_2;
-        local_84 = normalize(_e97);
+    let _e49 = local_89;
+    share_4 = _e49;
+    let _e51 = b_24;
+    let _e53 = a_34;
+    apart_1 = (_e51.direction - _e53.direction);
+    let _e57 = a_34;
+    let _e59 = share_4;
+    let _e60 = apart_1;
+    mean_2 = (_e57.direction + (_e59 * _e60));
+    let _e64 = a_34;
+    let _e66 = a_34;
+    let _e69 = b_24;
+    let _e71 = b_24;
+    let _e74 = share_4;
+    inner2_ = mix((_e64.inner * _e66.inner), (_e69.inner * _e71.inner), _e74);
+    let _e77 = a_34;
+    let _e79 = a_34;
+    let _e82 = b_24;
+    let _e84 = b_24;
+    let _e87 = share_4;
+    both = mix((_e77.inner * _e79.carried), (_e82.inner * _e84.carried), _e87);
+    let _e92 = weight_2;
+    lobe_4.weight = _e92;
+    let _e94 = mean_2;
+    let _e95 = mean_2;
+    if (dot(_e94, _e95) > 0.000001f) {
+        let _e99 = mean_2;
+        local_90 = normalize(_e99);
     } else {
-        let _e99 = a_30;
-        local_84 = _e99.direction;
+        let _e101 = a_34;
+        local_90 = _e101.direction;
     }
-    let _e102 = local_84;
-    lobe_3.direction = _e102;
-    let _e104 = a_30;
-    let _e106 = a_30;
-    let _e109 = b_21;
-    let _e111 = b_21;
-    let _e114 = share_3;
-    let _e117 = share_3;
-    let _e120 = share_3;
-    let _e123 = apart_1;
-    let _e124 = apart_1;
-    lobe_3.sigma = sqrt((mix((_e104.sigma * _e106.sigma), (_e109.sigma * _e111.sigma), _e114) + (((0.5f * _e117) * (1f - _e120)) * dot(_e123, _e124))));
-    let _e130 = inner2_;
-    lobe_3.inner = sqrt(_e130);
-    let _e133 = lobe_3;
-    if (_e133.inner > 0f) {
-        let _e137 = both;
-        let _e138 = lobe_3;
-        local_85 = (_e137 / _e138.inner);
+    let _e104 = local_90;
+    lobe_4.direction = _e104;
+    let _e106 = a_34;
+    let _e108 = a_34;
+    let _e111 = b_24;
+    let _e113 = b_24;
+    let _e116 = share_4;
+    let _e119 = share_4;
+    let _e122 = share_4;
+    let _e125 = apart_1;
+    let _e126 = apart_1;
+    lobe_4.sigma = sqrt((mix((_e106.sigma * _e108.sigma), (_e111.sigma * _e113.sigma), _e116) + (((0.5f * _e119) * (1f - _e122)) * dot(_e125, _e126))));
+    let _e132 = inner2_;
+    lobe_4.inner = sqrt(_e132);
+    let _e135 = lobe_4;
+    if (_e135.inner > 0f) {
+        let _e139 = both;
+        let _e140 = lobe_4;
+        local_91 = (_e139 / _e140.inner);
     } else {
-        local_85 = 0f;
+        local_91 = 0f;
     }
-    let _e143 = local_85;
-    lobe_3.carried = _e143;
-    let _e144 = lobe_3;
-    return _e144;
+    let _e145 = local_91;
+    lobe_4.carried = _e145;
+    let _e146 = lobe_4;
+    return _e146;
 }
 
 fn composedPair(core_2: ComposedLobe, tail_1: ComposedLobe, view_29: ExitView) -> ComposedPair {
@@ -7029,21 +7767,21 @@ fn composedPair(core_2: ComposedLobe, tail_1: ComposedLobe, view_29: ExitView) -
     core_3 = core_2;
     tail_2 = tail_1;
     view_30 = view_29;
-    let _e35 = view_30;
-    let _e38 = tail_2;
-    moved_1 = ((1f - _e35.own) * _e38.weight);
-    let _e44 = core_3;
-    pair_1.core = _e44;
-    let _e46 = tail_2;
-    pair_1.rest = _e46;
-    let _e49 = core_3;
-    let _e51 = moved_1;
-    pair_1.core.weight = (_e49.weight + _e51);
-    let _e55 = tail_2;
-    let _e57 = moved_1;
-    pair_1.rest.weight = (_e55.weight - _e57);
-    let _e59 = pair_1;
-    return _e59;
+    let _e37 = view_30;
+    let _e40 = tail_2;
+    moved_1 = ((1f - _e37.own) * _e40.weight);
+    let _e46 = core_3;
+    pair_1.core = _e46;
+    let _e48 = tail_2;
+    pair_1.rest = _e48;
+    let _e51 = core_3;
+    let _e53 = moved_1;
+    pair_1.core.weight = (_e51.weight + _e53);
+    let _e57 = tail_2;
+    let _e59 = moved_1;
+    pair_1.rest.weight = (_e57.weight - _e59);
+    let _e61 = pair_1;
+    return _e61;
 }
 
 fn mergePairs(core_4: ComposedPair, tail_3: ComposedPair) -> ComposedPair {
@@ -7053,289 +7791,289 @@ fn mergePairs(core_4: ComposedPair, tail_3: ComposedPair) -> ComposedPair {
 
     core_5 = core_4;
     tail_4 = tail_3;
-    let _e34 = core_5;
-    pair_2.core = _e34.core;
-    let _e37 = core_5;
-    let _e39 = tail_4;
-    let _e41 = mergeLobes(_e37.rest, _e39.core);
-    let _e42 = tail_4;
-    let _e44 = mergeLobes(_e41, _e42.rest);
-    pair_2.rest = _e44;
-    let _e45 = pair_2;
-    return _e45;
+    let _e36 = core_5;
+    pair_2.core = _e36.core;
+    let _e39 = core_5;
+    let _e41 = tail_4;
+    let _e43 = mergeLobes(_e39.rest, _e41.core);
+    let _e44 = tail_4;
+    let _e46 = mergeLobes(_e43, _e44.rest);
+    pair_2.rest = _e46;
+    let _e47 = pair_2;
+    return _e47;
 }
 
-fn interfaceCosineAxis(cosTheta_35: f32, eta_46: f32) -> f32 {
-    var cosTheta_36: f32;
+fn interfaceCosineAxis(cosTheta_39: f32, eta_46: f32) -> f32 {
+    var cosTheta_40: f32;
     var eta_47: f32;
-    var c_27: f32;
+    var c_31: f32;
     var critical: f32;
     var past: bool;
-    var local_86: f32;
-    var along_13: f32;
-    var grazing: bool;
-    var local_87: f32;
-    var local_88: f32;
-    var x_23: f32;
-    var local_89: f32;
-    var local_90: f32;
+    var local_92: f32;
+    var along_16: f32;
+    var grazing_1: bool;
+    var local_93: f32;
+    var local_94: f32;
+    var x_26: f32;
+    var local_95: f32;
+    var local_96: f32;
 
-    cosTheta_36 = cosTheta_35;
+    cosTheta_40 = cosTheta_39;
     eta_47 = eta_46;
-    let _e38 = cosTheta_36;
-    c_27 = clamp(_e38, 0f, 1f);
-    let _e43 = eta_47;
-    if (_e43 >= 1f) {
-        let _e46 = c_27;
-        return sqrt(_e46);
+    let _e40 = cosTheta_40;
+    c_31 = clamp(_e40, 0f, 1f);
+    let _e45 = eta_47;
+    if (_e45 >= 1f) {
+        let _e48 = c_31;
+        return sqrt(_e48);
     }
-    let _e49 = eta_47;
-    let _e52 = eta_47;
-    critical = sqrt(((1f - _e49) * (1f + _e52)));
-    let _e57 = c_27;
-    let _e58 = critical;
-    past = (_e57 < _e58);
-    let _e61 = past;
-    if _e61 {
-        let _e62 = c_27;
-        let _e63 = critical;
-        local_86 = (_e62 / _e63);
+    let _e51 = eta_47;
+    let _e54 = eta_47;
+    critical = sqrt(((1f - _e51) * (1f + _e54)));
+    let _e59 = c_31;
+    let _e60 = critical;
+    past = (_e59 < _e60);
+    let _e63 = past;
+    if _e63 {
+        let _e64 = c_31;
+        let _e65 = critical;
+        local_92 = (_e64 / _e65);
     } else {
-        let _e65 = c_27;
-        let _e66 = critical;
-        let _e69 = critical;
-        local_86 = ((_e65 - _e66) / (1f - _e69));
+        let _e67 = c_31;
+        let _e68 = critical;
+        let _e71 = critical;
+        local_92 = ((_e67 - _e68) / (1f - _e71));
     }
-    let _e73 = local_86;
-    along_13 = _e73;
-    let _e75 = past;
-    let _e76 = along_13;
-    grazing = (_e75 && (_e76 < 0.5f));
-    let _e81 = past;
-    if _e81 {
-        let _e83 = grazing;
-        if _e83 {
-            let _e84 = along_13;
-            local_87 = _e84;
+    let _e75 = local_92;
+    along_16 = _e75;
+    let _e77 = past;
+    let _e78 = along_16;
+    grazing_1 = (_e77 && (_e78 < 0.5f));
+    let _e83 = past;
+    if _e83 {
+        let _e85 = grazing_1;
+        if _e85 {
+            let _e86 = along_16;
+            local_93 = _e86;
         } else {
-            let _e86 = along_13;
-            local_87 = (1f - _e86);
+            let _e88 = along_16;
+            local_93 = (1f - _e88);
         }
-        let _e89 = local_87;
-        local_88 = (0.125f * _e89);
+        let _e91 = local_93;
+        local_94 = (0.125f * _e91);
     } else {
-        let _e92 = along_13;
-        local_88 = (0.25f * _e92);
+        let _e94 = along_16;
+        local_94 = (0.25f * _e94);
     }
-    let _e95 = local_88;
-    x_23 = sqrt(_e95);
-    let _e98 = grazing;
-    if _e98 {
-        let _e99 = x_23;
-        local_90 = _e99;
+    let _e97 = local_94;
+    x_26 = sqrt(_e97);
+    let _e100 = grazing_1;
+    if _e100 {
+        let _e101 = x_26;
+        local_96 = _e101;
     } else {
-        let _e100 = past;
-        if _e100 {
-            let _e102 = x_23;
-            local_89 = (0.5f - _e102);
+        let _e102 = past;
+        if _e102 {
+            let _e104 = x_26;
+            local_95 = (0.5f - _e104);
         } else {
-            let _e105 = x_23;
-            local_89 = (0.5f + _e105);
+            let _e107 = x_26;
+            local_95 = (0.5f + _e107);
         }
-        let _e108 = local_89;
-        local_90 = _e108;
+        let _e110 = local_95;
+        local_96 = _e110;
     }
-    let _e110 = local_90;
-    return _e110;
+    let _e112 = local_96;
+    return _e112;
 }
 
-fn interfaceCosineAt(x_24: f32, eta_48: f32) -> f32 {
-    var x_25: f32;
+fn interfaceCosineAt(x_27: f32, eta_48: f32) -> f32 {
+    var x_28: f32;
     var eta_49: f32;
     var critical_1: f32;
     var away: f32;
-    var local_91: f32;
+    var local_97: f32;
 
-    x_25 = x_24;
+    x_28 = x_27;
     eta_49 = eta_48;
-    let _e38 = eta_49;
-    if (_e38 >= 1f) {
-        let _e41 = x_25;
-        let _e42 = x_25;
-        return (_e41 * _e42);
+    let _e40 = eta_49;
+    if (_e40 >= 1f) {
+        let _e43 = x_28;
+        let _e44 = x_28;
+        return (_e43 * _e44);
     }
-    let _e45 = eta_49;
-    let _e48 = eta_49;
-    critical_1 = sqrt(((1f - _e45) * (1f + _e48)));
-    let _e53 = x_25;
-    away = (_e53 - 0.5f);
-    let _e57 = away;
-    if (_e57 >= 0f) {
-        let _e60 = critical_1;
-        let _e62 = away;
+    let _e47 = eta_49;
+    let _e50 = eta_49;
+    critical_1 = sqrt(((1f - _e47) * (1f + _e50)));
+    let _e55 = x_28;
+    away = (_e55 - 0.5f);
+    let _e59 = away;
+    if (_e59 >= 0f) {
+        let _e62 = critical_1;
         let _e64 = away;
-        let _e67 = critical_1;
-        return (_e60 + (((4f * _e62) * _e64) * (1f - _e67)));
+        let _e66 = away;
+        let _e69 = critical_1;
+        return (_e62 + (((4f * _e64) * _e66) * (1f - _e69)));
     }
-    let _e71 = critical_1;
-    let _e72 = x_25;
-    if (_e72 < 0.25f) {
-        let _e76 = x_25;
-        let _e78 = x_25;
-        local_91 = ((8f * _e76) * _e78);
+    let _e73 = critical_1;
+    let _e74 = x_28;
+    if (_e74 < 0.25f) {
+        let _e78 = x_28;
+        let _e80 = x_28;
+        local_97 = ((8f * _e78) * _e80);
     } else {
-        let _e82 = away;
         let _e84 = away;
-        local_91 = (1f - ((8f * _e82) * _e84));
+        let _e86 = away;
+        local_97 = (1f - ((8f * _e84) * _e86));
     }
-    let _e88 = local_91;
-    return (_e71 * _e88);
+    let _e90 = local_97;
+    return (_e73 * _e90);
 }
 
 fn interfaceEtaAxis(eta_50: f32) -> f32 {
     var eta_51: f32;
-    var local_92: f32;
-    var n_40: f32;
+    var local_98: f32;
+    var n_49: f32;
 
     eta_51 = eta_50;
-    let _e36 = eta_51;
-    if (_e36 < 1f) {
-        let _e40 = eta_51;
-        local_92 = (1f / max(_e40, 0.01f));
+    let _e38 = eta_51;
+    if (_e38 < 1f) {
+        let _e42 = eta_51;
+        local_98 = (1f / max(_e42, 0.01f));
     } else {
-        let _e44 = eta_51;
-        local_92 = _e44;
+        let _e46 = eta_51;
+        local_98 = _e46;
     }
-    let _e46 = local_92;
-    n_40 = clamp(_e46, 1f, INTERFACE_GREATEST_ETA);
-    let _e50 = n_40;
-    let _e53 = n_40;
-    return (((_e50 - 1f) / (_e53 + 1f)) * 1.6666666f);
+    let _e48 = local_98;
+    n_49 = clamp(_e48, 1f, INTERFACE_GREATEST_ETA);
+    let _e52 = n_49;
+    let _e55 = n_49;
+    return (((_e52 - 1f) / (_e55 + 1f)) * 1.6666666f);
 }
 
-fn interfaceEnergyCoordinate(cosTheta_37: f32, alpha_90: f32, eta_52: f32) -> vec3<f32> {
-    var cosTheta_38: f32;
-    var alpha_91: f32;
-    var eta_53: f32;
-    var local_93: i32;
-
-    cosTheta_38 = cosTheta_37;
-    alpha_91 = alpha_90;
-    eta_53 = eta_52;
-    let _e40 = cosTheta_38;
-    let _e41 = eta_53;
-    let _e42 = interfaceCosineAxis(_e40, _e41);
-    let _e45 = blockCoordinate(_e42, INTERFACE_ENERGY_COSINES, 0i, 1i);
-    let _e46 = alpha_91;
-    let _e52 = blockCoordinate(sqrt(max(_e46, 0f)), INTERFACE_ENERGY_ALPHAS, 0i, 1i);
-    let _e53 = eta_53;
-    let _e54 = interfaceEtaAxis(_e53);
-    let _e55 = eta_53;
-    if (_e55 < 1f) {
-        local_93 = 1i;
-    } else {
-        local_93 = 0i;
-    }
-    let _e61 = local_93;
-    let _e63 = blockCoordinate(_e54, INTERFACE_SLICES, _e61, 2i);
-    return vec3<f32>(_e45, _e52, _e63);
-}
-
-fn interfaceLobeCoordinate(lobe_4: i32, lobes_6: i32, cosTheta_39: f32, alpha_92: f32, eta_54: f32) -> vec3<f32> {
-    var lobe_5: i32;
-    var lobes_7: i32;
-    var cosTheta_40: f32;
-    var alpha_93: f32;
-    var eta_55: f32;
-    var local_94: i32;
-
-    lobe_5 = lobe_4;
-    lobes_7 = lobes_6;
-    cosTheta_40 = cosTheta_39;
-    alpha_93 = alpha_92;
-    eta_55 = eta_54;
-    let _e44 = cosTheta_40;
-    let _e45 = eta_55;
-    let _e46 = interfaceCosineAxis(_e44, _e45);
-    let _e49 = blockCoordinate(_e46, INTERFACE_LOBE_COSINES, 0i, 1i);
-    let _e50 = alpha_93;
-    let _e54 = lobe_5;
-    let _e55 = lobes_7;
-    let _e56 = blockCoordinate(sqrt(max(_e50, 0f)), INTERFACE_LOBE_ALPHAS, _e54, _e55);
-    let _e57 = eta_55;
-    let _e58 = interfaceEtaAxis(_e57);
-    let _e59 = eta_55;
-    if (_e59 < 1f) {
-        local_94 = 1i;
-    } else {
-        local_94 = 0i;
-    }
-    let _e65 = local_94;
-    let _e67 = blockCoordinate(_e58, INTERFACE_SLICES, _e65, 2i);
-    return vec3<f32>(_e49, _e56, _e67);
-}
-
-fn interfaceSnell(cosTheta_41: f32, eta_56: f32) -> f32 {
+fn interfaceEnergyCoordinate(cosTheta_41: f32, alpha_94: f32, eta_52: f32) -> vec3<f32> {
     var cosTheta_42: f32;
-    var eta_57: f32;
-    var c_28: f32;
+    var alpha_95: f32;
+    var eta_53: f32;
+    var local_99: i32;
 
     cosTheta_42 = cosTheta_41;
-    eta_57 = eta_56;
-    let _e38 = cosTheta_42;
-    c_28 = clamp(_e38, 0f, 1f);
-    let _e44 = c_28;
-    let _e47 = c_28;
-    let _e51 = c_28;
-    let _e52 = eta_57;
-    let _e53 = fresnelG(_e51, _e52);
-    return atan2(sqrt(((1f - _e44) * (1f + _e47))), _e53);
+    alpha_95 = alpha_94;
+    eta_53 = eta_52;
+    let _e42 = cosTheta_42;
+    let _e43 = eta_53;
+    let _e44 = interfaceCosineAxis(_e42, _e43);
+    let _e47 = blockCoordinate(_e44, INTERFACE_ENERGY_COSINES, 0i, 1i);
+    let _e48 = alpha_95;
+    let _e54 = blockCoordinate(sqrt(max(_e48, 0f)), INTERFACE_ENERGY_ALPHAS, 0i, 1i);
+    let _e55 = eta_53;
+    let _e56 = interfaceEtaAxis(_e55);
+    let _e57 = eta_53;
+    if (_e57 < 1f) {
+        local_99 = 1i;
+    } else {
+        local_99 = 0i;
+    }
+    let _e63 = local_99;
+    let _e65 = blockCoordinate(_e56, INTERFACE_SLICES, _e63, 2i);
+    return vec3<f32>(_e47, _e54, _e65);
 }
 
-fn interfaceWidth(cosTheta_43: f32, alpha_94: f32, eta_58: f32) -> f32 {
+fn interfaceLobeCoordinate(lobe_5: i32, lobes_6: i32, cosTheta_43: f32, alpha_96: f32, eta_54: f32) -> vec3<f32> {
+    var lobe_6: i32;
+    var lobes_7: i32;
     var cosTheta_44: f32;
-    var alpha_95: f32;
+    var alpha_97: f32;
+    var eta_55: f32;
+    var local_100: i32;
+
+    lobe_6 = lobe_5;
+    lobes_7 = lobes_6;
+    cosTheta_44 = cosTheta_43;
+    alpha_97 = alpha_96;
+    eta_55 = eta_54;
+    let _e46 = cosTheta_44;
+    let _e47 = eta_55;
+    let _e48 = interfaceCosineAxis(_e46, _e47);
+    let _e51 = blockCoordinate(_e48, INTERFACE_LOBE_COSINES, 0i, 1i);
+    let _e52 = alpha_97;
+    let _e56 = lobe_6;
+    let _e57 = lobes_7;
+    let _e58 = blockCoordinate(sqrt(max(_e52, 0f)), INTERFACE_LOBE_ALPHAS, _e56, _e57);
+    let _e59 = eta_55;
+    let _e60 = interfaceEtaAxis(_e59);
+    let _e61 = eta_55;
+    if (_e61 < 1f) {
+        local_100 = 1i;
+    } else {
+        local_100 = 0i;
+    }
+    let _e67 = local_100;
+    let _e69 = blockCoordinate(_e60, INTERFACE_SLICES, _e67, 2i);
+    return vec3<f32>(_e51, _e58, _e69);
+}
+
+fn interfaceSnell(cosTheta_45: f32, eta_56: f32) -> f32 {
+    var cosTheta_46: f32;
+    var eta_57: f32;
+    var c_32: f32;
+
+    cosTheta_46 = cosTheta_45;
+    eta_57 = eta_56;
+    let _e40 = cosTheta_46;
+    c_32 = clamp(_e40, 0f, 1f);
+    let _e46 = c_32;
+    let _e49 = c_32;
+    let _e53 = c_32;
+    let _e54 = eta_57;
+    let _e55 = fresnelG(_e53, _e54);
+    return atan2(sqrt(((1f - _e46) * (1f + _e49))), _e55);
+}
+
+fn interfaceWidth(cosTheta_47: f32, alpha_98: f32, eta_58: f32) -> f32 {
+    var cosTheta_48: f32;
+    var alpha_99: f32;
     var eta_59: f32;
     var g_9: f32;
     var critical_2: f32;
-    var across_11: f32;
+    var across_13: f32;
     var cosT: f32;
     var lean_3: f32;
-    var width_3: f32;
+    var width_5: f32;
 
-    cosTheta_44 = cosTheta_43;
-    alpha_95 = alpha_94;
+    cosTheta_48 = cosTheta_47;
+    alpha_99 = alpha_98;
     eta_59 = eta_58;
-    let _e40 = cosTheta_44;
-    let _e44 = eta_59;
-    let _e45 = fresnelG(clamp(_e40, 0f, 1f), _e44);
-    g_9 = _e45;
-    let _e48 = eta_59;
-    let _e51 = eta_59;
-    critical_2 = sqrt(max(((1f - _e48) * (1f + _e51)), 0f));
-    let _e58 = eta_59;
-    let _e61 = eta_59;
-    let _e66 = eta_59;
-    let _e67 = g_9;
-    let _e68 = cosTheta_44;
-    let _e69 = critical_2;
-    across_11 = (abs(((_e58 - 1f) * (_e61 + 1f))) / max((_e66 * (_e67 + max(_e68, _e69))), 0.000000000000000000000000000001f));
-    let _e77 = g_9;
-    let _e78 = eta_59;
-    cosT = (_e77 / _e78);
-    let _e81 = alpha_95;
-    let _e82 = critical_2;
-    let _e83 = cosTheta_44;
-    lean_3 = (_e81 + max((_e82 - _e83), 0f));
-    let _e89 = lean_3;
-    let _e90 = across_11;
-    let _e92 = cosT;
-    let _e93 = cosT;
-    let _e95 = lean_3;
-    width_3 = ((_e89 * _e90) * inverseSqrt(sqrt(((_e92 * _e93) + max(_e95, 0.000000000001f)))));
-    let _e103 = width_3;
-    let _e106 = width_3;
-    return (_e103 / (1f + (2f * _e106)));
+    let _e42 = cosTheta_48;
+    let _e46 = eta_59;
+    let _e47 = fresnelG(clamp(_e42, 0f, 1f), _e46);
+    g_9 = _e47;
+    let _e50 = eta_59;
+    let _e53 = eta_59;
+    critical_2 = sqrt(max(((1f - _e50) * (1f + _e53)), 0f));
+    let _e60 = eta_59;
+    let _e63 = eta_59;
+    let _e68 = eta_59;
+    let _e69 = g_9;
+    let _e70 = cosTheta_48;
+    let _e71 = critical_2;
+    across_13 = (abs(((_e60 - 1f) * (_e63 + 1f))) / max((_e68 * (_e69 + max(_e70, _e71))), 0.000000000000000000000000000001f));
+    let _e79 = g_9;
+    let _e80 = eta_59;
+    cosT = (_e79 / _e80);
+    let _e83 = alpha_99;
+    let _e84 = critical_2;
+    let _e85 = cosTheta_48;
+    lean_3 = (_e83 + max((_e84 - _e85), 0f));
+    let _e91 = lean_3;
+    let _e92 = across_13;
+    let _e94 = cosT;
+    let _e95 = cosT;
+    let _e97 = lean_3;
+    width_5 = ((_e91 * _e92) * inverseSqrt(sqrt(((_e94 * _e95) + max(_e97, 0.000000000001f)))));
+    let _e105 = width_5;
+    let _e108 = width_5;
+    return (_e105 / (1f + (2f * _e108)));
 }
 
 fn interfaceEnergy(texel_5: vec4<f32>) -> InterfaceEnergy {
@@ -7343,91 +8081,91 @@ fn interfaceEnergy(texel_5: vec4<f32>) -> InterfaceEnergy {
     var e_7: InterfaceEnergy;
 
     texel_6 = texel_5;
-    let _e38 = texel_6;
-    e_7.transmitted = _e38.x;
-    let _e41 = texel_6;
-    e_7.reflected = _e41.y;
-    let _e43 = e_7;
-    return _e43;
+    let _e40 = texel_6;
+    e_7.transmitted = _e40.x;
+    let _e43 = texel_6;
+    e_7.reflected = _e43.y;
+    let _e45 = e_7;
+    return _e45;
 }
 
-fn interfaceLobe(texel_7: vec4<f32>, cosTheta_45: f32, alpha_96: f32, eta_60: f32) -> InterfaceLobe {
+fn interfaceLobe(texel_7: vec4<f32>, cosTheta_49: f32, alpha_100: f32, eta_60: f32) -> InterfaceLobe {
     var texel_8: vec4<f32>;
-    var cosTheta_46: f32;
-    var alpha_97: f32;
+    var cosTheta_50: f32;
+    var alpha_101: f32;
     var eta_61: f32;
-    var width_4: f32;
-    var lobe_6: InterfaceLobe;
+    var width_6: f32;
+    var lobe_7: InterfaceLobe;
 
     texel_8 = texel_7;
-    cosTheta_46 = cosTheta_45;
-    alpha_97 = alpha_96;
+    cosTheta_50 = cosTheta_49;
+    alpha_101 = alpha_100;
     eta_61 = eta_60;
-    let _e42 = cosTheta_46;
-    let _e43 = alpha_97;
-    let _e47 = eta_61;
-    let _e48 = interfaceWidth(_e42, clamp(_e43, 0f, 1f), _e47);
-    width_4 = _e48;
-    let _e52 = cosTheta_46;
-    let _e53 = eta_61;
-    let _e54 = interfaceSnell(_e52, _e53);
-    let _e55 = texel_8;
-    let _e57 = width_4;
-    lobe_6.angle = (_e54 + (_e55.x * _e57));
-    let _e61 = texel_8;
-    let _e63 = width_4;
-    lobe_6.sigma = (_e61.y * _e63);
-    let _e66 = texel_8;
-    lobe_6.weight = _e66.z;
-    let _e68 = lobe_6;
-    return _e68;
+    let _e44 = cosTheta_50;
+    let _e45 = alpha_101;
+    let _e49 = eta_61;
+    let _e50 = interfaceWidth(_e44, clamp(_e45, 0f, 1f), _e49);
+    width_6 = _e50;
+    let _e54 = cosTheta_50;
+    let _e55 = eta_61;
+    let _e56 = interfaceSnell(_e54, _e55);
+    let _e57 = texel_8;
+    let _e59 = width_6;
+    lobe_7.angle = (_e56 + (_e57.x * _e59));
+    let _e63 = texel_8;
+    let _e65 = width_6;
+    lobe_7.sigma = (_e63.y * _e65);
+    let _e68 = texel_8;
+    lobe_7.weight = _e68.z;
+    let _e70 = lobe_7;
+    return _e70;
 }
 
-fn interfaceLobeDirection(wo_54: vec3<f32>, n_41: vec3<f32>, angle_2: f32) -> vec3<f32> {
-    var wo_55: vec3<f32>;
-    var n_42: vec3<f32>;
+fn interfaceLobeDirection(wo_56: vec3<f32>, n_50: vec3<f32>, angle_2: f32) -> vec3<f32> {
+    var wo_57: vec3<f32>;
+    var n_51: vec3<f32>;
     var angle_3: f32;
-    var across_12: vec3<f32>;
-    var local_95: vec3<f32>;
+    var across_14: vec3<f32>;
+    var local_101: vec3<f32>;
 
-    wo_55 = wo_54;
-    n_42 = n_41;
+    wo_57 = wo_56;
+    n_51 = n_50;
     angle_3 = angle_2;
-    let _e40 = wo_55;
-    let _e41 = n_42;
-    let _e43 = n_42;
-    let _e45 = wo_55;
-    across_12 = ((dot(_e40, _e41) * _e43) - _e45);
-    let _e48 = across_12;
-    let _e49 = across_12;
-    if !((dot(_e48, _e49) > 0.000000000001f)) {
-        let _e54 = n_42;
-        let _e55 = n_42;
-        if (abs(_e55.x) < 0.7f) {
-            local_95 = vec3<f32>(1f, 0f, 0f);
+    let _e42 = wo_57;
+    let _e43 = n_51;
+    let _e45 = n_51;
+    let _e47 = wo_57;
+    across_14 = ((dot(_e42, _e43) * _e45) - _e47);
+    let _e50 = across_14;
+    let _e51 = across_14;
+    if !((dot(_e50, _e51) > 0.000000000001f)) {
+        let _e56 = n_51;
+        let _e57 = n_51;
+        if (abs(_e57.x) < 0.7f) {
+            local_101 = vec3<f32>(1f, 0f, 0f);
         } else {
-            local_95 = vec3<f32>(0f, 1f, 0f);
+            local_101 = vec3<f32>(0f, 1f, 0f);
         }
-        let _e69 = local_95;
-        across_12 = cross(_e54, _e69);
+        let _e71 = local_101;
+        across_14 = cross(_e56, _e71);
     }
-    let _e71 = angle_3;
-    let _e73 = across_12;
-    let _e76 = angle_3;
-    let _e78 = n_42;
-    return ((sin(_e71) * normalize(_e73)) - (cos(_e76) * _e78));
+    let _e73 = angle_3;
+    let _e75 = across_14;
+    let _e78 = angle_3;
+    let _e80 = n_51;
+    return ((sin(_e73) * normalize(_e75)) - (cos(_e78) * _e80));
 }
 
-fn pyramidVariance(level: f32) -> f32 {
-    var level_1: f32;
+fn pyramidVariance(level_1: f32) -> f32 {
+    var level_2: f32;
     var scale_5: f32;
 
-    level_1 = level;
-    let _e37 = level_1;
-    scale_5 = exp2((2f * _e37));
-    let _e42 = scale_5;
-    let _e46 = scale_5;
-    return ((0.25f * (_e42 - 1f)) + (_e46 / 6f));
+    level_2 = level_1;
+    let _e39 = level_2;
+    scale_5 = exp2((2f * _e39));
+    let _e44 = scale_5;
+    let _e48 = scale_5;
+    return ((0.25f * (_e44 - 1f)) + (_e48 / 6f));
 }
 
 fn pyramidLevel(variance_3: f32, lastLevel: f32) -> f32 {
@@ -7435,78 +8173,78 @@ fn pyramidLevel(variance_3: f32, lastLevel: f32) -> f32 {
     var lastLevel_1: f32;
     var scale_6: f32;
     var exact: f32;
-    var below_4: f32;
+    var below_7: f32;
     var low_8: f32;
     var high_3: f32;
 
     variance_4 = variance_3;
     lastLevel_1 = lastLevel;
-    let _e38 = variance_4;
-    scale_6 = ((_e38 + 0.25f) / 0.4166667f);
-    let _e49 = scale_6;
-    exact = (0.5f * log2(max(_e49, 1f)));
-    let _e55 = exact;
-    let _e57 = lastLevel_1;
-    below_4 = min(floor(_e55), _e57);
-    let _e60 = below_4;
-    let _e61 = pyramidVariance(_e60);
-    low_8 = _e61;
-    let _e63 = below_4;
-    let _e66 = pyramidVariance((_e63 + 1f));
-    high_3 = _e66;
-    let _e68 = below_4;
-    let _e69 = variance_4;
-    let _e70 = low_8;
-    let _e72 = high_3;
-    let _e73 = low_8;
-    let _e80 = lastLevel_1;
-    return min((_e68 + clamp(((_e69 - _e70) / (_e72 - _e73)), 0f, 1f)), _e80);
+    let _e40 = variance_4;
+    scale_6 = ((_e40 + 0.25f) / 0.4166667f);
+    let _e51 = scale_6;
+    exact = (0.5f * log2(max(_e51, 1f)));
+    let _e57 = exact;
+    let _e59 = lastLevel_1;
+    below_7 = min(floor(_e57), _e59);
+    let _e62 = below_7;
+    let _e63 = pyramidVariance(_e62);
+    low_8 = _e63;
+    let _e65 = below_7;
+    let _e68 = pyramidVariance((_e65 + 1f));
+    high_3 = _e68;
+    let _e70 = below_7;
+    let _e71 = variance_4;
+    let _e72 = low_8;
+    let _e74 = high_3;
+    let _e75 = low_8;
+    let _e82 = lastLevel_1;
+    return min((_e70 + clamp(((_e71 - _e72) / (_e74 - _e75)), 0f, 1f)), _e82);
 }
 
-fn normalIntegral(x_26: f32) -> f32 {
-    var x_27: f32;
+fn normalIntegral(x_29: f32) -> f32 {
+    var x_30: f32;
 
-    x_27 = x_26;
-    let _e40 = x_27;
-    return (1f / (1f + exp((-1.702f * _e40))));
+    x_30 = x_29;
+    let _e42 = x_30;
+    return (1f / (1f + exp((-1.702f * _e42))));
 }
 
-fn pyramidCoverage(at_24: vec2<f32>, size_22: vec2<f32>, sigma_6: f32) -> f32 {
-    var at_25: vec2<f32>;
-    var size_23: vec2<f32>;
-    var sigma_7: f32;
+fn pyramidCoverage(at_25: vec2<f32>, size_23: vec2<f32>, sigma_10: f32) -> f32 {
+    var at_26: vec2<f32>;
+    var size_24: vec2<f32>;
+    var sigma_11: f32;
     var inverse: f32;
-    var x_28: f32;
-    var y_10: f32;
+    var x_31: f32;
+    var y_11: f32;
 
-    at_25 = at_24;
-    size_23 = size_22;
-    sigma_7 = sigma_6;
-    let _e41 = sigma_7;
-    inverse = (1f / max(_e41, 0.25f));
-    let _e46 = size_23;
-    let _e48 = at_25;
-    let _e51 = inverse;
-    let _e53 = normalIntegral(((_e46.x - _e48.x) * _e51));
-    let _e54 = at_25;
-    let _e57 = inverse;
-    let _e59 = normalIntegral((-(_e54.x) * _e57));
-    x_28 = (_e53 - _e59);
-    let _e62 = size_23;
-    let _e64 = at_25;
-    let _e67 = inverse;
-    let _e69 = normalIntegral(((_e62.y - _e64.y) * _e67));
-    let _e70 = at_25;
-    let _e73 = inverse;
-    let _e75 = normalIntegral((-(_e70.y) * _e73));
-    y_10 = (_e69 - _e75);
-    let _e78 = x_28;
-    let _e79 = y_10;
-    return clamp((_e78 * _e79), 0f, 1f);
+    at_26 = at_25;
+    size_24 = size_23;
+    sigma_11 = sigma_10;
+    let _e43 = sigma_11;
+    inverse = (1f / max(_e43, 0.25f));
+    let _e48 = size_24;
+    let _e50 = at_26;
+    let _e53 = inverse;
+    let _e55 = normalIntegral(((_e48.x - _e50.x) * _e53));
+    let _e56 = at_26;
+    let _e59 = inverse;
+    let _e61 = normalIntegral((-(_e56.x) * _e59));
+    x_31 = (_e55 - _e61);
+    let _e64 = size_24;
+    let _e66 = at_26;
+    let _e69 = inverse;
+    let _e71 = normalIntegral(((_e64.y - _e66.y) * _e69));
+    let _e72 = at_26;
+    let _e75 = inverse;
+    let _e77 = normalIntegral((-(_e72.y) * _e75));
+    y_11 = (_e71 - _e77);
+    let _e80 = x_31;
+    let _e81 = y_11;
+    return clamp((_e80 * _e81), 0f, 1f);
 }
 
-fn lobeVariance(sigma_8: f32, carried: f32, inner_4: f32, inside_3: f32, outside: f32) -> f32 {
-    var sigma_9: f32;
+fn lobeVariance(sigma_12: f32, carried: f32, inner_4: f32, inside_3: f32, outside: f32) -> f32 {
+    var sigma_13: f32;
     var carried_1: f32;
     var inner_5: f32;
     var inside_4: f32;
@@ -7514,26 +8252,26 @@ fn lobeVariance(sigma_8: f32, carried: f32, inner_4: f32, inside_3: f32, outside
     var offset: f32;
     var angle_4: f32;
 
-    sigma_9 = sigma_8;
+    sigma_13 = sigma_12;
     carried_1 = carried;
     inner_5 = inner_4;
     inside_4 = inside_3;
     outside_1 = outside;
-    let _e44 = inside_4;
-    let _e45 = inner_5;
-    offset = (_e44 * _e45);
-    let _e48 = outside_1;
-    let _e49 = sigma_9;
-    angle_4 = (_e48 * _e49);
-    let _e52 = angle_4;
-    let _e53 = angle_4;
-    let _e56 = offset;
-    let _e58 = outside_1;
-    let _e60 = carried_1;
-    let _e61 = sigma_9;
-    let _e65 = offset;
-    let _e66 = offset;
-    return (((_e52 * _e53) + (((2f * _e56) * _e58) * min(_e60, _e61))) + (_e65 * _e66));
+    let _e46 = inside_4;
+    let _e47 = inner_5;
+    offset = (_e46 * _e47);
+    let _e50 = outside_1;
+    let _e51 = sigma_13;
+    angle_4 = (_e50 * _e51);
+    let _e54 = angle_4;
+    let _e55 = angle_4;
+    let _e58 = offset;
+    let _e60 = outside_1;
+    let _e62 = carried_1;
+    let _e63 = sigma_13;
+    let _e67 = offset;
+    let _e68 = offset;
+    return (((_e54 * _e55) + (((2f * _e58) * _e60) * min(_e62, _e63))) + (_e67 * _e68));
 }
 
 fn pixelsPerRadian(focal: f32, cosine: f32) -> f32 {
@@ -7542,253 +8280,253 @@ fn pixelsPerRadian(focal: f32, cosine: f32) -> f32 {
 
     focal_1 = focal;
     cosine_1 = cosine;
-    let _e38 = focal_1;
-    let _e39 = cosine_1;
-    let _e40 = cosine_1;
-    return (_e38 / (_e39 * sqrt(_e40)));
+    let _e40 = focal_1;
+    let _e41 = cosine_1;
+    let _e42 = cosine_1;
+    return (_e40 / (_e41 * sqrt(_e42)));
 }
 
-fn lobeRadiance(lobe_7: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_4: SceneIntersection, view_31: SceneView) -> vec3<f32> {
-    var lobe_8: ComposedLobe;
+fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5: SceneIntersection, view_31: SceneView) -> vec3<f32> {
+    var lobe_9: ComposedLobe;
     var origin_17: vec3<f32>;
     var inside_6: f32;
-    var met_5: SceneIntersection;
+    var met_6: SceneIntersection;
     var view_32: SceneView;
     var ends: bool;
-    var local_96: vec3<f32>;
+    var local_102: vec3<f32>;
     var place: vec3<f32>;
-    var local_97: f32;
+    var local_103: f32;
     var clip_4: vec4<f32>;
-    var share_4: f32 = 0f;
+    var share_5: f32 = 0f;
     var near_1: vec3<f32> = vec3(0f);
-    var local_98: vec3<f32>;
+    var local_104: vec3<f32>;
     var fromEye: vec3<f32>;
-    var range_1: f32;
+    var range_2: f32;
     var metres: f32;
-    var local_99: f32;
+    var local_105: f32;
     var pixels: f32;
-    var at_26: vec2<f32>;
+    var at_27: vec2<f32>;
     var outside_2: vec2<f32>;
     var far_1: f32;
-    var local_100: f32;
+    var local_106: f32;
     var shown: vec4<f32>;
-    var local_101: vec3<f32>;
-    var local_102: vec3<f32>;
+    var local_107: vec3<f32>;
+    var local_108: vec3<f32>;
 
-    lobe_8 = lobe_7;
+    lobe_9 = lobe_8;
     origin_17 = origin_16;
     inside_6 = inside_5;
-    met_5 = met_4;
+    met_6 = met_5;
     view_32 = view_31;
-    let _e44 = met_5;
-    ends = (_e44.metres >= 0f);
-    let _e49 = ends;
-    if _e49 {
-        let _e50 = origin_17;
-        let _e51 = met_5;
-        let _e53 = lobe_8;
-        local_96 = (_e50 + (_e51.metres * _e53.direction));
+    let _e46 = met_6;
+    ends = (_e46.metres >= 0f);
+    let _e51 = ends;
+    if _e51 {
+        let _e52 = origin_17;
+        let _e53 = met_6;
+        let _e55 = lobe_9;
+        local_102 = (_e52 + (_e53.metres * _e55.direction));
     } else {
-        let _e57 = lobe_8;
-        local_96 = _e57.direction;
+        let _e59 = lobe_9;
+        local_102 = _e59.direction;
     }
-    let _e60 = local_96;
-    place = _e60;
-    let _e62 = view_32;
-    let _e64 = place;
-    let _e65 = ends;
-    if _e65 {
-        local_97 = 1f;
+    let _e62 = local_102;
+    place = _e62;
+    let _e64 = view_32;
+    let _e66 = place;
+    let _e67 = ends;
+    if _e67 {
+        local_103 = 1f;
     } else {
-        local_97 = 0f;
+        local_103 = 0f;
     }
-    let _e69 = local_97;
-    clip_4 = (_e62.clipFromWorld * vec4<f32>(_e64.x, _e64.y, _e64.z, _e69));
-    let _e81 = met_5;
-    let _e83 = clip_4;
-    if (_e81.seen && (_e83.w > 0f)) {
+    let _e71 = local_103;
+    clip_4 = (_e64.clipFromWorld * vec4<f32>(_e66.x, _e66.y, _e66.z, _e71));
+    let _e83 = met_6;
+    let _e85 = clip_4;
+    if (_e83.seen && (_e85.w > 0f)) {
         {
-            let _e88 = ends;
-            if _e88 {
-                let _e89 = place;
-                let _e90 = view_32;
-                local_98 = (_e89 - _e90.eye);
+            let _e90 = ends;
+            if _e90 {
+                let _e91 = place;
+                let _e92 = view_32;
+                local_104 = (_e91 - _e92.eye);
             } else {
-                let _e93 = lobe_8;
-                local_98 = _e93.direction;
+                let _e95 = lobe_9;
+                local_104 = _e95.direction;
             }
-            let _e96 = local_98;
-            fromEye = _e96;
-            let _e98 = fromEye;
-            range_1 = length(_e98);
-            let _e101 = lobe_8;
-            let _e103 = lobe_8;
-            let _e105 = lobe_8;
-            let _e107 = inside_6;
-            let _e108 = met_5;
-            let _e110 = lobeVariance(_e101.sigma, _e103.carried, _e105.inner, _e107, _e108.metres);
-            metres = sqrt(_e110);
-            let _e113 = ends;
-            if _e113 {
-                let _e114 = metres;
-                let _e115 = range_1;
-                local_99 = (_e114 / _e115);
+            let _e98 = local_104;
+            fromEye = _e98;
+            let _e100 = fromEye;
+            range_2 = length(_e100);
+            let _e103 = lobe_9;
+            let _e105 = lobe_9;
+            let _e107 = lobe_9;
+            let _e109 = inside_6;
+            let _e110 = met_6;
+            let _e112 = lobeVariance(_e103.sigma, _e105.carried, _e107.inner, _e109, _e110.metres);
+            metres = sqrt(_e112);
+            let _e115 = ends;
+            if _e115 {
+                let _e116 = metres;
+                let _e117 = range_2;
+                local_105 = (_e116 / _e117);
             } else {
-                let _e117 = lobe_8;
-                local_99 = _e117.sigma;
+                let _e119 = lobe_9;
+                local_105 = _e119.sigma;
             }
-            let _e120 = local_99;
-            let _e121 = view_32;
-            let _e123 = clip_4;
-            let _e125 = range_1;
-            let _e129 = pixelsPerRadian(_e121.focal, min((_e123.w / _e125), 1f));
-            pixels = (_e120 * _e129);
-            let _e132 = clip_4;
-            let _e133 = view_32;
-            let _e135 = scenePixel(_e132, _e133.size);
-            at_26 = _e135;
-            let _e137 = at_26;
-            let _e139 = at_26;
-            let _e140 = view_32;
-            outside_2 = max(max(-(_e137), (_e139 - _e140.size)), vec2(0f));
-            let _e148 = outside_2;
-            let _e149 = outside_2;
-            far_1 = dot(_e148, _e149);
-            let _e152 = ends;
-            if _e152 {
-                let _e155 = far_1;
-                let _e157 = view_32;
-                let _e160 = view_32;
-                local_100 = exp(((-0.5f * _e155) / (_e157.size.y * _e160.size.y)));
+            let _e122 = local_105;
+            let _e123 = view_32;
+            let _e125 = clip_4;
+            let _e127 = range_2;
+            let _e131 = pixelsPerRadian(_e123.focal, min((_e125.w / _e127), 1f));
+            pixels = (_e122 * _e131);
+            let _e134 = clip_4;
+            let _e135 = view_32;
+            let _e137 = scenePixel(_e134, _e135.size);
+            at_27 = _e137;
+            let _e139 = at_27;
+            let _e141 = at_27;
+            let _e142 = view_32;
+            outside_2 = max(max(-(_e139), (_e141 - _e142.size)), vec2(0f));
+            let _e150 = outside_2;
+            let _e151 = outside_2;
+            far_1 = dot(_e150, _e151);
+            let _e154 = ends;
+            if _e154 {
+                let _e157 = far_1;
+                let _e159 = view_32;
+                let _e162 = view_32;
+                local_106 = exp(((-0.5f * _e157) / (_e159.size.y * _e162.size.y)));
             } else {
-                let _e166 = at_26;
-                let _e167 = view_32;
-                let _e169 = pixels;
-                let _e170 = pyramidCoverage(_e166, _e167.size, _e169);
-                local_100 = _e170;
+                let _e168 = at_27;
+                let _e169 = view_32;
+                let _e171 = pixels;
+                let _e172 = pyramidCoverage(_e168, _e169.size, _e171);
+                local_106 = _e172;
             }
-            let _e172 = local_100;
-            share_4 = _e172;
-            let _e173 = share_4;
-            if (_e173 > 0f) {
+            let _e174 = local_106;
+            share_5 = _e174;
+            let _e175 = share_5;
+            if (_e175 > 0f) {
                 {
-                    let _e176 = at_26;
-                    let _e177 = pixels;
-                    let _e178 = pixels;
-                    let _e180 = far_1;
-                    let _e182 = engineSceneColor(_e176, ((_e177 * _e178) + _e180));
-                    shown = _e182;
-                    let _e184 = share_4;
-                    let _e186 = shown;
-                    share_4 = (_e184 * min((2f * _e186.w), 1f));
-                    let _e192 = shown;
-                    if (_e192.w > 0f) {
-                        let _e196 = shown;
+                    let _e178 = at_27;
+                    let _e179 = pixels;
+                    let _e180 = pixels;
+                    let _e182 = far_1;
+                    let _e184 = engineSceneColor(_e178, ((_e179 * _e180) + _e182));
+                    shown = _e184;
+                    let _e186 = share_5;
+                    let _e188 = shown;
+                    share_5 = (_e186 * min((2f * _e188.w), 1f));
+                    let _e194 = shown;
+                    if (_e194.w > 0f) {
                         let _e198 = shown;
                         let _e200 = shown;
-                        let _e203 = shown;
-                        local_101 = (vec3<f32>(_e196.x, _e198.y, _e200.z) / vec3(_e203.w));
+                        let _e202 = shown;
+                        let _e205 = shown;
+                        local_107 = (vec3<f32>(_e198.x, _e200.y, _e202.z) / vec3(_e205.w));
                     } else {
-                        local_101 = vec3(0f);
+                        local_107 = vec3(0f);
                     }
-                    let _e210 = local_101;
-                    near_1 = _e210;
+                    let _e212 = local_107;
+                    near_1 = _e212;
                 }
             }
         }
     }
-    let _e211 = share_4;
-    if (_e211 >= 0.999f) {
-        let _e214 = near_1;
-        local_102 = _e214;
+    let _e213 = share_5;
+    if (_e213 >= 0.999f) {
+        let _e216 = near_1;
+        local_108 = _e216;
     } else {
-        let _e215 = lobe_8;
-        let _e217 = lobe_8;
-        let _e219 = engineEnvironment(_e215.direction, _e217.sigma);
-        let _e220 = near_1;
-        let _e221 = share_4;
-        local_102 = mix(_e219, _e220, vec3(_e221));
+        let _e217 = lobe_9;
+        let _e219 = lobe_9;
+        let _e221 = engineEnvironment(_e217.direction, _e219.sigma);
+        let _e222 = near_1;
+        let _e223 = share_5;
+        local_108 = mix(_e221, _e222, vec3(_e223));
     }
-    let _e225 = local_102;
-    return _e225;
+    let _e227 = local_108;
+    return _e227;
 }
 
-fn engineFaceEnergy(cosTheta_47: f32, alpha_98: f32, eta_62: f32) -> InterfaceEnergy {
-    var cosTheta_48: f32;
-    var alpha_99: f32;
+fn engineFaceEnergy(cosTheta_51: f32, alpha_102: f32, eta_62: f32) -> InterfaceEnergy {
+    var cosTheta_52: f32;
+    var alpha_103: f32;
     var eta_63: f32;
 
-    cosTheta_48 = cosTheta_47;
-    alpha_99 = alpha_98;
+    cosTheta_52 = cosTheta_51;
+    alpha_103 = alpha_102;
     eta_63 = eta_62;
-    let _e40 = cosTheta_48;
-    let _e41 = alpha_99;
-    let _e42 = eta_63;
-    let _e43 = interfaceEnergyCoordinate(_e40, _e41, _e42);
-    let _e44 = engineInterfaceEnergy(_e43);
-    let _e45 = interfaceEnergy(_e44);
-    return _e45;
+    let _e42 = cosTheta_52;
+    let _e43 = alpha_103;
+    let _e44 = eta_63;
+    let _e45 = interfaceEnergyCoordinate(_e42, _e43, _e44);
+    let _e46 = engineInterfaceEnergy(_e45);
+    let _e47 = interfaceEnergy(_e46);
+    return _e47;
 }
 
 fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
     var face_11: GlassFace;
     var ior_1: f32;
     var view_34: SceneView;
-    var cosTheta_49: f32;
+    var cosTheta_53: f32;
     var energy_3: f32;
     var texel_9: vec4<f32>;
-    var lobe_9: ComposedLobe;
-    var met_6: SceneIntersection;
+    var lobe_10: ComposedLobe;
+    var met_7: SceneIntersection;
 
     face_11 = face_10;
     ior_1 = ior;
     view_34 = view_33;
-    let _e40 = face_11;
     let _e42 = face_11;
-    cosTheta_49 = dot(_e40.wo, _e42.n);
-    let _e46 = cosTheta_49;
-    let _e47 = face_11;
-    let _e49 = ior_1;
-    let _e50 = engineFaceEnergy(_e46, _e47.alpha, _e49);
-    energy_3 = _e50.reflected;
-    let _e53 = cosTheta_49;
-    let _e54 = face_11;
-    let _e56 = ior_1;
-    let _e57 = fresnelNormalIncidence(_e56);
-    let _e58 = energy_3;
-    let _e59 = edgeShare(_e57, _e58);
-    let _e60 = lobeCoordinate(_e53, _e54.alpha, _e59);
-    let _e61 = engineReflectionLobe(_e60);
-    texel_9 = _e61;
-    let _e66 = cosTheta_49;
-    let _e68 = face_11;
-    let _e71 = face_11;
-    let _e74 = face_11;
-    let _e76 = texel_9;
-    let _e78 = lobeDirection((((2f * _e66) * _e68.n) - _e71.wo), _e74.n, _e76.x);
-    lobe_9.direction = _e78;
-    let _e80 = texel_9;
+    let _e44 = face_11;
+    cosTheta_53 = dot(_e42.wo, _e44.n);
+    let _e48 = cosTheta_53;
+    let _e49 = face_11;
+    let _e51 = ior_1;
+    let _e52 = engineFaceEnergy(_e48, _e49.alpha, _e51);
+    energy_3 = _e52.reflected;
+    let _e55 = cosTheta_53;
+    let _e56 = face_11;
+    let _e58 = ior_1;
+    let _e59 = fresnelNormalIncidence(_e58);
+    let _e60 = energy_3;
+    let _e61 = edgeShare(_e59, _e60);
+    let _e62 = lobeCoordinate(_e55, _e56.alpha, _e61);
+    let _e63 = engineReflectionLobe(_e62);
+    texel_9 = _e63;
+    let _e68 = cosTheta_53;
+    let _e70 = face_11;
+    let _e73 = face_11;
+    let _e76 = face_11;
+    let _e78 = texel_9;
+    let _e80 = lobeDirection((((2f * _e68) * _e70.n) - _e73.wo), _e76.n, _e78.x);
+    lobe_10.direction = _e80;
     let _e82 = texel_9;
-    let _e85 = face_11;
-    let _e88 = face_11;
-    let _e92 = face_11;
-    lobe_9.sigma = sqrt(((((_e80.y * _e82.y) * _e85.alpha) * _e88.alpha) + (4f * _e92.turn)));
-    let _e98 = energy_3;
-    lobe_9.weight = _e98;
-    lobe_9.inner = 0f;
-    lobe_9.carried = 0f;
-    let _e103 = face_11;
-    let _e105 = lobe_9;
-    let _e107 = view_34;
-    let _e108 = sceneIntersection(_e103.position, _e105.direction, _e107);
-    met_6 = _e108;
-    let _e110 = energy_3;
-    let _e111 = lobe_9;
-    let _e112 = face_11;
-    let _e115 = met_6;
-    let _e116 = view_34;
-    let _e117 = lobeRadiance(_e111, _e112.position, 0f, _e115, _e116);
-    return (_e110 * _e117);
+    let _e84 = texel_9;
+    let _e87 = face_11;
+    let _e90 = face_11;
+    let _e94 = face_11;
+    lobe_10.sigma = sqrt(((((_e82.y * _e84.y) * _e87.alpha) * _e90.alpha) + (4f * _e94.turn)));
+    let _e100 = energy_3;
+    lobe_10.weight = _e100;
+    lobe_10.inner = 0f;
+    lobe_10.carried = 0f;
+    let _e105 = face_11;
+    let _e107 = lobe_10;
+    let _e109 = view_34;
+    let _e110 = sceneIntersection(_e105.position, _e107.direction, _e109);
+    met_7 = _e110;
+    let _e112 = energy_3;
+    let _e113 = lobe_10;
+    let _e114 = face_11;
+    let _e117 = met_7;
+    let _e118 = view_34;
+    let _e119 = lobeRadiance(_e113, _e114.position, 0f, _e117, _e118);
+    return (_e112 * _e119);
 }
 
 fn internalScatteringLossGgx() -> InternalScatteringLoss {
@@ -7798,8 +8536,8 @@ fn internalScatteringLossGgx() -> InternalScatteringLoss {
     k_26.constant = 0.254f;
     k_26.thin = 1.078f;
     k_26.passes = 0.3f;
-    let _e43 = k_26;
-    return _e43;
+    let _e45 = k_26;
+    return _e45;
 }
 
 fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
@@ -7809,41 +8547,41 @@ fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
     k_27.constant = 1.555f;
     k_27.thin = 0.565f;
     k_27.passes = 0f;
-    let _e43 = k_27;
-    return _e43;
+    let _e45 = k_27;
+    return _e45;
 }
 
 fn internalScatteringPasses(ior_2: f32) -> f32 {
     var ior_3: f32;
     var eta_64: f32;
     var passes: f32;
-    var local_103: f32;
+    var local_109: f32;
 
     ior_3 = ior_2;
-    let _e36 = ior_3;
     let _e38 = ior_3;
-    eta_64 = max(_e36, (1f / _e38));
-    let _e44 = eta_64;
-    let _e45 = fresnelTransmittedAt(0.355051f, _e44);
-    let _e49 = eta_64;
-    let _e50 = fresnelTransmittedAt(0.844949f, _e49);
-    passes = ((0.363917f * _e45) + (0.636083f * _e50));
-    let _e54 = ior_3;
-    if (_e54 > 1f) {
-        let _e57 = passes;
-        let _e58 = ior_3;
-        let _e59 = ior_3;
-        local_103 = (_e57 / (_e58 * _e59));
+    let _e40 = ior_3;
+    eta_64 = max(_e38, (1f / _e40));
+    let _e46 = eta_64;
+    let _e47 = fresnelTransmittedAt(0.355051f, _e46);
+    let _e51 = eta_64;
+    let _e52 = fresnelTransmittedAt(0.844949f, _e51);
+    passes = ((0.363917f * _e47) + (0.636083f * _e52));
+    let _e56 = ior_3;
+    if (_e56 > 1f) {
+        let _e59 = passes;
+        let _e60 = ior_3;
+        let _e61 = ior_3;
+        local_109 = (_e59 / (_e60 * _e61));
     } else {
-        let _e62 = passes;
-        local_103 = _e62;
+        let _e64 = passes;
+        local_109 = _e64;
     }
-    let _e64 = local_103;
-    return _e64;
+    let _e66 = local_109;
+    return _e66;
 }
 
-fn internalScatteringAt(alpha_100: f32, ior_4: f32, k_28: InternalScatteringLoss) -> InternalScattering {
-    var alpha_101: f32;
+fn internalScatteringAt(alpha_104: f32, ior_4: f32, k_28: InternalScatteringLoss) -> InternalScattering {
+    var alpha_105: f32;
     var ior_5: f32;
     var k_29: InternalScatteringLoss;
     var smoothly: f32;
@@ -7851,33 +8589,33 @@ fn internalScatteringAt(alpha_100: f32, ior_4: f32, k_28: InternalScatteringLoss
     var lost_2: f32;
     var w_33: InternalScattering;
 
-    alpha_101 = alpha_100;
+    alpha_105 = alpha_104;
     ior_5 = ior_4;
     k_29 = k_28;
-    let _e40 = ior_5;
-    let _e41 = internalScatteringPasses(_e40);
-    smoothly = _e41;
-    let _e43 = alpha_101;
-    let _e44 = alpha_101;
-    alpha2_1 = (_e43 * _e44);
-    let _e47 = alpha2_1;
-    let _e48 = alpha2_1;
-    let _e49 = k_29;
-    let _e51 = alpha_101;
-    let _e54 = k_29;
-    let _e59 = k_29;
-    let _e61 = alpha_101;
-    let _e63 = smoothly;
-    lost_2 = ((_e47 / ((_e48 + (_e49.linear * _e51)) + _e54.constant)) * max((1f - ((_e59.thin * _e61) * max((_e63 - 0.4f), 0f))), 0f));
-    let _e76 = smoothly;
-    let _e78 = k_29;
-    let _e80 = alpha2_1;
-    w_33.passes = (_e76 * (1f - (_e78.passes * _e80)));
-    let _e86 = w_33;
-    let _e89 = lost_2;
-    w_33.back = max(((1f - _e86.passes) - _e89), 0f);
-    let _e93 = w_33;
-    return _e93;
+    let _e42 = ior_5;
+    let _e43 = internalScatteringPasses(_e42);
+    smoothly = _e43;
+    let _e45 = alpha_105;
+    let _e46 = alpha_105;
+    alpha2_1 = (_e45 * _e46);
+    let _e49 = alpha2_1;
+    let _e50 = alpha2_1;
+    let _e51 = k_29;
+    let _e53 = alpha_105;
+    let _e56 = k_29;
+    let _e61 = k_29;
+    let _e63 = alpha_105;
+    let _e65 = smoothly;
+    lost_2 = ((_e49 / ((_e50 + (_e51.linear * _e53)) + _e56.constant)) * max((1f - ((_e61.thin * _e63) * max((_e65 - 0.4f), 0f))), 0f));
+    let _e78 = smoothly;
+    let _e80 = k_29;
+    let _e82 = alpha2_1;
+    w_33.passes = (_e78 * (1f - (_e80.passes * _e82)));
+    let _e88 = w_33;
+    let _e91 = lost_2;
+    w_33.back = max(((1f - _e88.passes) - _e91), 0f);
+    let _e95 = w_33;
+    return _e95;
 }
 
 fn internalScatteringConcave(w_34: InternalScattering, again: f32) -> InternalScattering {
@@ -7887,15 +8625,15 @@ fn internalScatteringConcave(w_34: InternalScattering, again: f32) -> InternalSc
 
     w_35 = w_34;
     again_1 = again;
-    let _e41 = again_1;
-    let _e43 = w_35;
-    concave.passes = ((1f - _e41) * _e43.passes);
-    let _e47 = w_35;
-    let _e49 = again_1;
-    let _e50 = w_35;
-    concave.back = (_e47.back + (_e49 * _e50.passes));
-    let _e54 = concave;
-    return _e54;
+    let _e43 = again_1;
+    let _e45 = w_35;
+    concave.passes = ((1f - _e43) * _e45.passes);
+    let _e49 = w_35;
+    let _e51 = again_1;
+    let _e52 = w_35;
+    concave.back = (_e49.back + (_e51 * _e52.passes));
+    let _e56 = concave;
+    return _e56;
 }
 
 fn internalScatteringEscapes(w_36: InternalScattering, way_7: vec3<f32>) -> vec3<f32> {
@@ -7904,163 +8642,163 @@ fn internalScatteringEscapes(w_36: InternalScattering, way_7: vec3<f32>) -> vec3
 
     w_37 = w_36;
     way_8 = way_7;
-    let _e38 = w_37;
-    let _e40 = way_8;
-    let _e44 = w_37;
-    let _e46 = way_8;
-    let _e49 = w_37;
-    return ((_e38.passes * _e40) / max((vec3(1f) - (_e44.back * _e46)), vec3(_e49.passes)));
+    let _e40 = w_37;
+    let _e42 = way_8;
+    let _e46 = w_37;
+    let _e48 = way_8;
+    let _e51 = w_37;
+    return ((_e40.passes * _e42) / max((vec3(1f) - (_e46.back * _e48)), vec3(_e51.passes)));
 }
 
-fn engineFaceLobe(lobe_10: i32, cosTheta_50: f32, alpha_102: f32, eta_65: f32) -> InterfaceLobe {
-    var lobe_11: i32;
-    var cosTheta_51: f32;
-    var alpha_103: f32;
+fn engineFaceLobe(lobe_11: i32, cosTheta_54: f32, alpha_106: f32, eta_65: f32) -> InterfaceLobe {
+    var lobe_12: i32;
+    var cosTheta_55: f32;
+    var alpha_107: f32;
     var eta_66: f32;
 
-    lobe_11 = lobe_10;
-    cosTheta_51 = cosTheta_50;
-    alpha_103 = alpha_102;
+    lobe_12 = lobe_11;
+    cosTheta_55 = cosTheta_54;
+    alpha_107 = alpha_106;
     eta_66 = eta_65;
-    let _e42 = lobe_11;
-    let _e44 = cosTheta_51;
-    let _e45 = alpha_103;
-    let _e46 = eta_66;
-    let _e47 = interfaceLobeCoordinate(_e42, 2i, _e44, _e45, _e46);
-    let _e48 = engineInterfaceLobe(_e47);
-    let _e49 = cosTheta_51;
-    let _e50 = alpha_103;
-    let _e51 = eta_66;
-    let _e52 = interfaceLobe(_e48, _e49, _e50, _e51);
-    return _e52;
+    let _e44 = lobe_12;
+    let _e46 = cosTheta_55;
+    let _e47 = alpha_107;
+    let _e48 = eta_66;
+    let _e49 = interfaceLobeCoordinate(_e44, 2i, _e46, _e47, _e48);
+    let _e50 = engineInterfaceLobe(_e49);
+    let _e51 = cosTheta_55;
+    let _e52 = alpha_107;
+    let _e53 = eta_66;
+    let _e54 = interfaceLobe(_e50, _e51, _e52, _e53);
+    return _e54;
 }
 
-fn engineEnteringLobe(lobe_12: i32, face_12: GlassFace, ior_6: f32, energy_4: f32) -> InnerLobe {
-    var lobe_13: i32;
+fn engineEnteringLobe(lobe_13: i32, face_12: GlassFace, ior_6: f32, energy_4: f32) -> InnerLobe {
+    var lobe_14: i32;
     var face_13: GlassFace;
     var ior_7: f32;
     var energy_5: f32;
     var read_: InterfaceLobe;
     var inner_6: InnerLobe;
     var matched: bool;
-    var local_104: vec3<f32>;
-    var local_105: f32;
-    var local_106: f32;
+    var local_110: vec3<f32>;
+    var local_111: f32;
+    var local_112: f32;
 
-    lobe_13 = lobe_12;
+    lobe_14 = lobe_13;
     face_13 = face_12;
     ior_7 = ior_6;
     energy_5 = energy_4;
-    let _e42 = lobe_13;
-    let _e43 = face_13;
+    let _e44 = lobe_14;
     let _e45 = face_13;
-    let _e48 = face_13;
-    let _e50 = ior_7;
-    let _e51 = engineFaceLobe(_e42, dot(_e43.wo, _e45.n), _e48.alpha, _e50);
-    read_ = _e51;
-    let _e54 = ior_7;
-    matched = (abs((_e54 - 1f)) < INDEX_MATCHED);
-    let _e61 = matched;
-    if _e61 {
-        let _e62 = face_13;
-        local_104 = -(_e62.wo);
+    let _e47 = face_13;
+    let _e50 = face_13;
+    let _e52 = ior_7;
+    let _e53 = engineFaceLobe(_e44, dot(_e45.wo, _e47.n), _e50.alpha, _e52);
+    read_ = _e53;
+    let _e56 = ior_7;
+    matched = (abs((_e56 - 1f)) < INDEX_MATCHED);
+    let _e63 = matched;
+    if _e63 {
+        let _e64 = face_13;
+        local_110 = -(_e64.wo);
     } else {
-        let _e65 = face_13;
         let _e67 = face_13;
-        let _e69 = read_;
-        let _e71 = interfaceLobeDirection(_e65.wo, _e67.n, _e69.angle);
-        local_104 = _e71;
+        let _e69 = face_13;
+        let _e71 = read_;
+        let _e73 = interfaceLobeDirection(_e67.wo, _e69.n, _e71.angle);
+        local_110 = _e73;
     }
-    let _e73 = local_104;
-    inner_6.direction = _e73;
-    let _e75 = matched;
-    if _e75 {
-        local_105 = 0f;
+    let _e75 = local_110;
+    inner_6.direction = _e75;
+    let _e77 = matched;
+    if _e77 {
+        local_111 = 0f;
     } else {
-        let _e77 = read_;
-        local_105 = _e77.sigma;
+        let _e79 = read_;
+        local_111 = _e79.sigma;
     }
-    let _e80 = local_105;
-    inner_6.sigma = _e80;
-    let _e82 = read_;
-    let _e84 = matched;
-    if _e84 {
-        local_106 = 1f;
+    let _e82 = local_111;
+    inner_6.sigma = _e82;
+    let _e84 = read_;
+    let _e86 = matched;
+    if _e86 {
+        local_112 = 1f;
     } else {
-        let _e86 = energy_5;
-        local_106 = _e86;
+        let _e88 = energy_5;
+        local_112 = _e88;
     }
-    let _e88 = local_106;
-    inner_6.weight = (_e82.weight * _e88);
-    let _e90 = inner_6;
-    return _e90;
+    let _e90 = local_112;
+    inner_6.weight = (_e84.weight * _e90);
+    let _e92 = inner_6;
+    return _e92;
 }
 
-fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_14: ExitSurface, k_30: Widening) -> ComposedPair {
+fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: Widening) -> ComposedPair {
     var inner_8: InnerLobe;
     var core_7: bool;
-    var s_15: ExitSurface;
+    var s_20: ExitSurface;
     var k_31: Widening;
     var view_35: ExitView;
-    var cosTheta_52: f32;
-    var local_107: f32;
+    var cosTheta_56: f32;
+    var local_113: f32;
     var energy_6: f32;
     var first_8: InterfaceLobe;
     var second_1: InterfaceLobe;
 
     inner_8 = inner_7;
     core_7 = core_6;
-    s_15 = s_14;
+    s_20 = s_19;
     k_31 = k_30;
-    let _e42 = inner_8;
-    let _e43 = core_7;
-    let _e44 = s_15;
-    let _e45 = k_31;
-    let _e46 = seeExit(_e42, _e43, _e44, _e45);
-    view_35 = _e46;
-    let _e48 = view_35;
-    cosTheta_52 = max(_e48.cosTheta, 0f);
-    let _e53 = s_15;
-    if (abs((_e53.eta - 1f)) < INDEX_MATCHED) {
-        local_107 = 1f;
+    let _e44 = inner_8;
+    let _e45 = core_7;
+    let _e46 = s_20;
+    let _e47 = k_31;
+    let _e48 = seeExit(_e44, _e45, _e46, _e47);
+    view_35 = _e48;
+    let _e50 = view_35;
+    cosTheta_56 = max(_e50.cosTheta, 0f);
+    let _e55 = s_20;
+    if (abs((_e55.eta - 1f)) < INDEX_MATCHED) {
+        local_113 = 1f;
     } else {
-        let _e60 = cosTheta_52;
-        let _e61 = view_35;
-        let _e63 = s_15;
-        let _e65 = engineFaceEnergy(_e60, _e61.alphaEnergy, _e63.eta);
-        local_107 = _e65.transmitted;
+        let _e62 = cosTheta_56;
+        let _e63 = view_35;
+        let _e65 = s_20;
+        let _e67 = engineFaceEnergy(_e62, _e63.alphaEnergy, _e65.eta);
+        local_113 = _e67.transmitted;
     }
-    let _e68 = local_107;
-    energy_6 = _e68;
-    let _e71 = cosTheta_52;
-    let _e72 = view_35;
-    let _e74 = s_15;
-    let _e76 = engineFaceLobe(0i, _e71, _e72.alphaShape, _e74.eta);
-    first_8 = _e76;
-    let _e79 = cosTheta_52;
-    let _e80 = view_35;
-    let _e82 = s_15;
-    let _e84 = engineFaceLobe(1i, _e79, _e80.alphaShape, _e82.eta);
-    second_1 = _e84;
-    let _e86 = inner_8;
-    let _e87 = view_35;
-    let _e88 = s_15;
-    let _e89 = first_8;
+    let _e70 = local_113;
+    energy_6 = _e70;
+    let _e73 = cosTheta_56;
+    let _e74 = view_35;
+    let _e76 = s_20;
+    let _e78 = engineFaceLobe(0i, _e73, _e74.alphaShape, _e76.eta);
+    first_8 = _e78;
+    let _e81 = cosTheta_56;
+    let _e82 = view_35;
+    let _e84 = s_20;
+    let _e86 = engineFaceLobe(1i, _e81, _e82.alphaShape, _e84.eta);
+    second_1 = _e86;
+    let _e88 = inner_8;
+    let _e89 = view_35;
+    let _e90 = s_20;
     let _e91 = first_8;
     let _e93 = first_8;
-    let _e95 = energy_6;
-    let _e96 = composeLobe(_e86, _e87, _e88, _e89.angle, _e91.sigma, _e93.weight, _e95);
-    let _e97 = inner_8;
-    let _e98 = view_35;
-    let _e99 = s_15;
-    let _e100 = second_1;
+    let _e95 = first_8;
+    let _e97 = energy_6;
+    let _e98 = composeLobe(_e88, _e89, _e90, _e91.angle, _e93.sigma, _e95.weight, _e97);
+    let _e99 = inner_8;
+    let _e100 = view_35;
+    let _e101 = s_20;
     let _e102 = second_1;
     let _e104 = second_1;
-    let _e106 = energy_6;
-    let _e107 = composeLobe(_e97, _e98, _e99, _e100.angle, _e102.sigma, _e104.weight, _e106);
-    let _e108 = view_35;
-    let _e109 = composedPair(_e96, _e107, _e108);
-    return _e109;
+    let _e106 = second_1;
+    let _e108 = energy_6;
+    let _e109 = composeLobe(_e99, _e100, _e101, _e102.angle, _e104.sigma, _e106.weight, _e108);
+    let _e110 = view_35;
+    let _e111 = composedPair(_e98, _e109, _e110);
+    return _e111;
 }
 
 fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLobe, entered: f32, e_8: ConvexExit, passed: f32) -> vec3<f32> {
@@ -8070,7 +8808,7 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     var entered_1: f32;
     var e_9: ConvexExit;
     var passed_1: f32;
-    var cosTheta_53: f32;
+    var cosTheta_57: f32;
     var own_2: InterfaceEnergy;
     var w_38: InternalScattering;
     var reflected: vec3<f32>;
@@ -8079,8 +8817,9 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     var outward_3: vec3<f32>;
     var spread_5: f32;
     var way_9: vec3<f32>;
-    var local_108: vec3<f32>;
-    var direction_16: vec3<f32>;
+    var local_114: vec3<f32>;
+    var direction_24: vec3<f32>;
+    var seen_2: vec3<f32>;
 
     face_15 = face_14;
     body_3 = body_2;
@@ -8088,68 +8827,70 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     entered_1 = entered;
     e_9 = e_8;
     passed_1 = passed;
-    let _e46 = inner_10;
-    let _e48 = e_9;
-    cosTheta_53 = max(dot(_e46.direction, _e48.surface.n), 0f);
-    let _e55 = cosTheta_53;
-    let _e56 = body_3;
-    let _e58 = e_9;
-    let _e61 = engineFaceEnergy(_e55, _e56.backAlpha, _e58.surface.eta);
-    own_2 = _e61;
-    let _e65 = passed_1;
-    w_38.passes = _e65;
-    let _e67 = own_2;
-    let _e69 = own_2;
-    let _e72 = passed_1;
-    w_38.back = clamp(((_e67.transmitted + _e69.reflected) - _e72), 0f, 0.99f);
-    let _e77 = inner_10;
-    let _e80 = cosTheta_53;
-    let _e82 = e_9;
-    reflected = (_e77.direction - ((2f * _e80) * _e82.surface.n));
-    let _e88 = body_3;
-    let _e90 = body_3;
-    q_2 = clamp((_e88.thickness * _e90.curvature), 0f, 2f);
-    let _e97 = face_15;
-    let _e99 = e_9;
-    let _e103 = cosTheta_53;
-    let _e105 = reflected;
-    let _e109 = q_2;
-    near_2 = normalize(mix(_e97.n, (_e99.surface.n + ((2f * _e103) * _e105)), vec3((0.5f * _e109))));
-    let _e115 = reflected;
-    let _e117 = near_2;
-    let _e119 = e_9;
-    let _e122 = refractAbout(-(_e115), -(_e117), _e119.surface.eta);
-    outward_3 = _e122;
-    let _e124 = inner_10;
-    let _e126 = inner_10;
-    let _e130 = body_3;
+    let _e49 = inner_10;
+    let _e51 = e_9;
+    cosTheta_57 = max(dot(_e49.direction, _e51.surface.n), 0f);
+    let _e58 = cosTheta_57;
+    let _e59 = body_3;
+    let _e61 = e_9;
+    let _e64 = engineFaceEnergy(_e58, _e59.backAlpha, _e61.surface.eta);
+    own_2 = _e64;
+    let _e68 = passed_1;
+    w_38.passes = _e68;
+    let _e70 = own_2;
+    let _e72 = own_2;
+    let _e75 = passed_1;
+    w_38.back = clamp(((_e70.transmitted + _e72.reflected) - _e75), 0f, 0.99f);
+    let _e80 = inner_10;
+    let _e83 = cosTheta_57;
+    let _e85 = e_9;
+    reflected = (_e80.direction - ((2f * _e83) * _e85.surface.n));
+    let _e91 = body_3;
+    let _e93 = body_3;
+    q_2 = clamp((_e91.thickness * _e93.curvature), 0f, 2f);
+    let _e100 = face_15;
+    let _e102 = e_9;
+    let _e106 = cosTheta_57;
+    let _e108 = reflected;
+    let _e112 = q_2;
+    near_2 = normalize(mix(_e100.n, (_e102.surface.n + ((2f * _e106) * _e108)), vec3((0.5f * _e112))));
+    let _e118 = reflected;
+    let _e120 = near_2;
+    let _e122 = e_9;
+    let _e125 = refractAbout(-(_e118), -(_e120), _e122.surface.eta);
+    outward_3 = _e125;
+    let _e127 = inner_10;
+    let _e129 = inner_10;
     let _e133 = body_3;
-    let _e138 = body_3;
-    spread_5 = (sqrt(((_e124.sigma * _e126.sigma) + ((4f * _e130.backAlpha) * _e133.backAlpha))) * _e138.ior);
-    let _e142 = e_9;
-    let _e145 = body_3;
-    way_9 = exp((-(_e142.path) * _e145.attenuation));
-    let _e150 = outward_3;
-    let _e151 = outward_3;
-    if (dot(_e150, _e151) > 0f) {
-        let _e155 = outward_3;
-        local_108 = _e155;
+    let _e136 = body_3;
+    let _e141 = body_3;
+    spread_5 = (sqrt(((_e127.sigma * _e129.sigma) + ((4f * _e133.backAlpha) * _e136.backAlpha))) * _e141.ior);
+    let _e145 = e_9;
+    let _e148 = body_3;
+    way_9 = exp((-(_e145.path) * _e148.attenuation));
+    let _e153 = outward_3;
+    let _e154 = outward_3;
+    if (dot(_e153, _e154) > 0f) {
+        let _e158 = outward_3;
+        local_114 = _e158;
     } else {
-        let _e156 = near_2;
-        local_108 = _e156;
+        let _e159 = near_2;
+        local_114 = _e159;
     }
-    let _e158 = local_108;
-    direction_16 = _e158;
-    let _e160 = entered_1;
-    let _e161 = w_38;
-    let _e164 = way_9;
-    let _e166 = w_38;
-    let _e167 = way_9;
-    let _e168 = internalScatteringEscapes(_e166, _e167);
-    let _e170 = direction_16;
-    let _e171 = spread_5;
-    let _e174 = engineEnvironment(_e170, min(_e171, 0.606f));
-    return ((((_e160 * _e161.back) * _e164) * _e168) * _e174);
+    let _e161 = local_114;
+    direction_24 = _e161;
+    let _e163 = direction_24;
+    let _e164 = spread_5;
+    let _e167 = engineEnvironment(_e163, min(_e164, 0.606f));
+    seen_2 = (SCATTERED_SEEN * _e167);
+    let _e170 = entered_1;
+    let _e171 = w_38;
+    let _e174 = way_9;
+    let _e176 = w_38;
+    let _e177 = way_9;
+    let _e178 = internalScatteringEscapes(_e176, _e177);
+    let _e180 = seen_2;
+    return ((((_e170 * _e171.back) * _e174) * _e178) * _e180);
 }
 
 fn enterGlass(face_16: GlassFace, ior_8: f32) -> Entering {
@@ -8159,24 +8900,24 @@ fn enterGlass(face_16: GlassFace, ior_8: f32) -> Entering {
 
     face_17 = face_16;
     ior_9 = ior_8;
-    let _e40 = face_17;
-    let _e42 = face_17;
+    let _e43 = face_17;
     let _e45 = face_17;
-    let _e47 = ior_9;
-    let _e48 = engineFaceEnergy(dot(_e40.wo, _e42.n), _e45.alpha, _e47);
-    e_10.energy = _e48.transmitted;
-    let _e52 = face_17;
-    let _e53 = ior_9;
-    let _e54 = e_10;
-    let _e56 = engineEnteringLobe(0i, _e52, _e53, _e54.energy);
-    e_10.core = _e56;
-    let _e59 = face_17;
-    let _e60 = ior_9;
-    let _e61 = e_10;
-    let _e63 = engineEnteringLobe(1i, _e59, _e60, _e61.energy);
-    e_10.tail = _e63;
+    let _e48 = face_17;
+    let _e50 = ior_9;
+    let _e51 = engineFaceEnergy(dot(_e43.wo, _e45.n), _e48.alpha, _e50);
+    e_10.energy = _e51.transmitted;
+    let _e55 = face_17;
+    let _e56 = ior_9;
+    let _e57 = e_10;
+    let _e59 = engineEnteringLobe(0i, _e55, _e56, _e57.energy);
+    e_10.core = _e59;
+    let _e62 = face_17;
+    let _e63 = ior_9;
     let _e64 = e_10;
-    return _e64;
+    let _e66 = engineEnteringLobe(1i, _e62, _e63, _e64.energy);
+    e_10.tail = _e66;
+    let _e67 = e_10;
+    return _e67;
 }
 
 fn refractThrough(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, origin_18: vec3<f32>, coreExit: ConvexExit, tailExit: ConvexExit, view_36: SceneView, k_32: Widening) -> vec3<f32> {
@@ -8191,9 +8932,9 @@ fn refractThrough(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, origin
     var first_9: ComposedPair;
     var pair_3: ComposedPair;
     var bent: f32;
-    var met_7: SceneIntersection;
-    var sum_13: vec3<f32>;
-    var local_109: f32;
+    var met_8: SceneIntersection;
+    var sum_14: vec3<f32>;
+    var local_115: f32;
     var passed_2: f32;
 
     face_19 = face_18;
@@ -8204,73 +8945,73 @@ fn refractThrough(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, origin
     tailExit_1 = tailExit;
     view_37 = view_36;
     k_33 = k_32;
-    let _e50 = e_12;
-    let _e53 = coreExit_1;
-    let _e55 = k_33;
-    let _e56 = engineLeavingPair(_e50.core, true, _e53.surface, _e55);
-    first_9 = _e56;
-    let _e58 = first_9;
-    let _e59 = e_12;
-    let _e62 = tailExit_1;
-    let _e64 = k_33;
-    let _e65 = engineLeavingPair(_e59.tail, false, _e62.surface, _e64);
-    let _e66 = mergePairs(_e58, _e65);
-    pair_3 = _e66;
-    let _e71 = body_5;
-    bent = (2f * (1f - (1f / _e71.ior)));
-    let _e79 = pair_3;
+    let _e53 = e_12;
+    let _e56 = coreExit_1;
+    let _e58 = k_33;
+    let _e59 = engineLeavingPair(_e53.core, true, _e56.surface, _e58);
+    first_9 = _e59;
+    let _e61 = first_9;
+    let _e62 = e_12;
+    let _e65 = tailExit_1;
+    let _e67 = k_33;
+    let _e68 = engineLeavingPair(_e62.tail, false, _e65.surface, _e67);
+    let _e69 = mergePairs(_e61, _e68);
+    pair_3 = _e69;
+    let _e74 = body_5;
+    bent = (2f * (1f - (1f / _e74.ior)));
     let _e82 = pair_3;
-    let _e86 = bent;
-    let _e87 = bent;
-    let _e89 = face_19;
-    pair_3.core.sigma = sqrt(((_e79.core.sigma * _e82.core.sigma) + ((_e86 * _e87) * _e89.turn)));
-    let _e94 = origin_19;
-    let _e95 = pair_3;
-    let _e98 = view_37;
-    let _e99 = sceneIntersection(_e94, _e95.core.direction, _e98);
-    met_7 = _e99;
-    let _e101 = pair_3;
+    let _e85 = pair_3;
+    let _e89 = bent;
+    let _e90 = bent;
+    let _e92 = face_19;
+    pair_3.core.sigma = sqrt(((_e82.core.sigma * _e85.core.sigma) + ((_e89 * _e90) * _e92.turn)));
+    let _e97 = origin_19;
+    let _e98 = pair_3;
+    let _e101 = view_37;
+    let _e102 = sceneIntersection(_e97, _e98.core.direction, _e101);
+    met_8 = _e102;
     let _e104 = pair_3;
-    let _e106 = origin_19;
-    let _e107 = coreExit_1;
-    let _e109 = met_7;
-    let _e110 = view_37;
-    let _e111 = lobeRadiance(_e104.core, _e106, _e107.path, _e109, _e110);
-    sum_13 = (_e101.core.weight * _e111);
-    let _e114 = pair_3;
-    if (_e114.rest.weight > 0f) {
-        let _e119 = sum_13;
-        let _e120 = pair_3;
+    let _e107 = pair_3;
+    let _e109 = origin_19;
+    let _e110 = coreExit_1;
+    let _e112 = met_8;
+    let _e113 = view_37;
+    let _e114 = lobeRadiance(_e107.core, _e109, _e110.path, _e112, _e113);
+    sum_14 = (_e104.core.weight * _e114);
+    let _e117 = pair_3;
+    if (_e117.rest.weight > 0f) {
+        let _e122 = sum_14;
         let _e123 = pair_3;
-        let _e125 = origin_19;
-        let _e126 = coreExit_1;
-        let _e128 = met_7;
-        let _e129 = view_37;
-        let _e130 = lobeRadiance(_e123.rest, _e125, _e126.path, _e128, _e129);
-        sum_13 = (_e119 + (_e120.rest.weight * _e130));
+        let _e126 = pair_3;
+        let _e128 = origin_19;
+        let _e129 = coreExit_1;
+        let _e131 = met_8;
+        let _e132 = view_37;
+        let _e133 = lobeRadiance(_e126.rest, _e128, _e129.path, _e131, _e132);
+        sum_14 = (_e122 + (_e123.rest.weight * _e133));
     }
-    let _e133 = e_12;
-    if (_e133.core.weight > 0f) {
-        let _e138 = first_9;
+    let _e136 = e_12;
+    if (_e136.core.weight > 0f) {
         let _e141 = first_9;
-        let _e145 = e_12;
-        local_109 = ((_e138.core.weight + _e141.rest.weight) / _e145.core.weight);
+        let _e144 = first_9;
+        let _e148 = e_12;
+        local_115 = ((_e141.core.weight + _e144.rest.weight) / _e148.core.weight);
     } else {
-        local_109 = 0f;
+        local_115 = 0f;
     }
-    let _e151 = local_109;
-    passed_2 = _e151;
-    let _e153 = sum_13;
-    let _e154 = coreExit_1;
-    let _e157 = body_5;
-    let _e162 = face_19;
-    let _e163 = body_5;
-    let _e164 = e_12;
-    let _e166 = e_12;
-    let _e168 = coreExit_1;
-    let _e169 = passed_2;
-    let _e170 = internallyReflected(_e162, _e163, _e164.core, _e166.energy, _e168, _e169);
-    return ((_e153 * exp((-(_e154.path) * _e157.attenuation))) + _e170);
+    let _e154 = local_115;
+    passed_2 = _e154;
+    let _e156 = sum_14;
+    let _e157 = coreExit_1;
+    let _e160 = body_5;
+    let _e165 = face_19;
+    let _e166 = body_5;
+    let _e167 = e_12;
+    let _e169 = e_12;
+    let _e171 = coreExit_1;
+    let _e172 = passed_2;
+    let _e173 = internallyReflected(_e165, _e166, _e167.core, _e169.energy, _e171, _e172);
+    return ((_e156 * exp((-(_e157.path) * _e160.attenuation))) + _e173);
 }
 
 fn refractConvex(face_20: GlassFace, body_6: ConvexBody, view_38: SceneView, k_34: Widening) -> vec3<f32> {
@@ -8286,124 +9027,124 @@ fn refractConvex(face_20: GlassFace, body_6: ConvexBody, view_38: SceneView, k_3
     body_7 = body_6;
     view_39 = view_38;
     k_35 = k_34;
-    let _e42 = face_21;
-    let _e43 = body_7;
-    let _e45 = enterGlass(_e42, _e43.ior);
-    e_13 = _e45;
-    let _e47 = face_21;
-    let _e49 = e_13;
-    let _e52 = body_7;
-    let _e53 = convexExit(_e47.n, _e49.core.direction, _e52);
-    core_8 = _e53;
-    let _e55 = face_21;
-    let _e57 = core_8;
-    let _e59 = e_13;
-    origin_20 = (_e55.position + (_e57.path * _e59.core.direction));
-    let _e65 = face_21;
-    let _e66 = body_7;
-    let _e67 = e_13;
-    let _e68 = origin_20;
-    let _e69 = core_8;
-    let _e70 = face_21;
-    let _e72 = e_13;
-    let _e75 = body_7;
-    let _e76 = convexExit(_e70.n, _e72.tail.direction, _e75);
-    let _e77 = view_39;
-    let _e78 = k_35;
-    let _e79 = refractThrough(_e65, _e66, _e67, _e68, _e69, _e76, _e77, _e78);
-    return _e79;
+    let _e45 = face_21;
+    let _e46 = body_7;
+    let _e48 = enterGlass(_e45, _e46.ior);
+    e_13 = _e48;
+    let _e50 = face_21;
+    let _e52 = e_13;
+    let _e55 = body_7;
+    let _e56 = convexExit(_e50.n, _e52.core.direction, _e55);
+    core_8 = _e56;
+    let _e58 = face_21;
+    let _e60 = core_8;
+    let _e62 = e_13;
+    origin_20 = (_e58.position + (_e60.path * _e62.core.direction));
+    let _e68 = face_21;
+    let _e69 = body_7;
+    let _e70 = e_13;
+    let _e71 = origin_20;
+    let _e72 = core_8;
+    let _e73 = face_21;
+    let _e75 = e_13;
+    let _e78 = body_7;
+    let _e79 = convexExit(_e73.n, _e75.tail.direction, _e78);
+    let _e80 = view_39;
+    let _e81 = k_35;
+    let _e82 = refractThrough(_e68, _e69, _e70, _e71, _e72, _e79, _e80, _e81);
+    return _e82;
 }
 
-fn wayOut(face_22: GlassFace, lobe_14: InnerLobe, eta_67: f32, number_8: f32, view_40: SceneView) -> WayOut {
+fn wayOut(face_22: GlassFace, lobe_15: InnerLobe, eta_67: f32, number_8: f32, view_40: SceneView) -> WayOut {
     var face_23: GlassFace;
-    var lobe_15: InnerLobe;
+    var lobe_16: InnerLobe;
     var eta_68: f32;
     var number_9: f32;
     var view_41: SceneView;
-    var seen_2: BackFaceExit;
+    var seen_3: BackFaceExit;
     var way_10: WayOut;
-    var cosTheta_54: f32;
+    var cosTheta_58: f32;
     var onward: vec3<f32>;
     var next_1: BackFaceExit;
-    var alpha_104: f32;
+    var alpha_108: f32;
 
     face_23 = face_22;
-    lobe_15 = lobe_14;
+    lobe_16 = lobe_15;
     eta_68 = eta_67;
     number_9 = number_8;
     view_41 = view_40;
-    let _e44 = face_23;
-    let _e46 = lobe_15;
-    let _e49 = eta_68;
-    let _e50 = number_9;
-    let _e51 = view_41;
-    let _e52 = backFaceExit(_e44.position, _e46.direction, 0f, _e49, _e50, _e51);
-    seen_2 = _e52;
-    let _e56 = lobe_15;
-    way_10.lobe = _e56;
-    let _e58 = seen_2;
-    way_10.exit = _e58.exit;
-    let _e61 = face_23;
-    let _e63 = seen_2;
-    let _e66 = lobe_15;
-    way_10.point = (_e61.position + (_e63.exit.path * _e66.direction));
-    let _e71 = seen_2;
-    way_10.found = _e71.found;
-    let _e73 = lobe_15;
-    let _e75 = seen_2;
-    cosTheta_54 = dot(_e73.direction, _e75.exit.surface.n);
-    let _e81 = seen_2;
-    let _e85 = cosTheta_54;
-    let _e88 = cosTheta_54;
-    let _e91 = eta_68;
-    let _e92 = eta_68;
-    if (!(_e81.found) || (((1f - _e85) * (1f + _e88)) < (_e91 * _e92))) {
-        let _e96 = way_10;
-        return _e96;
+    let _e47 = face_23;
+    let _e49 = lobe_16;
+    let _e52 = eta_68;
+    let _e53 = number_9;
+    let _e54 = view_41;
+    let _e55 = backFaceExit(_e47.position, _e49.direction, 0f, _e52, _e53, _e54);
+    seen_3 = _e55;
+    let _e59 = lobe_16;
+    way_10.lobe = _e59;
+    let _e61 = seen_3;
+    way_10.exit = _e61.exit;
+    let _e64 = face_23;
+    let _e66 = seen_3;
+    let _e69 = lobe_16;
+    way_10.point = (_e64.position + (_e66.exit.path * _e69.direction));
+    let _e74 = seen_3;
+    way_10.found = _e74.found;
+    let _e76 = lobe_16;
+    let _e78 = seen_3;
+    cosTheta_58 = dot(_e76.direction, _e78.exit.surface.n);
+    let _e84 = seen_3;
+    let _e88 = cosTheta_58;
+    let _e91 = cosTheta_58;
+    let _e94 = eta_68;
+    let _e95 = eta_68;
+    if (!(_e84.found) || (((1f - _e88) * (1f + _e91)) < (_e94 * _e95))) {
+        let _e99 = way_10;
+        return _e99;
     }
-    let _e97 = lobe_15;
-    let _e100 = cosTheta_54;
-    let _e102 = seen_2;
-    onward = (_e97.direction - ((2f * _e100) * _e102.exit.surface.n));
-    let _e109 = way_10;
-    let _e111 = onward;
-    let _e113 = seen_2;
-    let _e117 = eta_68;
-    let _e118 = number_9;
-    let _e119 = view_41;
-    let _e120 = backFaceExit(_e109.point, _e111, (0.5f * _e113.exit.path), _e117, _e118, _e119);
-    next_1 = _e120;
-    let _e122 = next_1;
-    if !(_e122.found) {
-        let _e125 = way_10;
-        return _e125;
+    let _e100 = lobe_16;
+    let _e103 = cosTheta_58;
+    let _e105 = seen_3;
+    onward = (_e100.direction - ((2f * _e103) * _e105.exit.surface.n));
+    let _e112 = way_10;
+    let _e114 = onward;
+    let _e116 = seen_3;
+    let _e120 = eta_68;
+    let _e121 = number_9;
+    let _e122 = view_41;
+    let _e123 = backFaceExit(_e112.point, _e114, (0.5f * _e116.exit.path), _e120, _e121, _e122);
+    next_1 = _e123;
+    let _e125 = next_1;
+    if !(_e125.found) {
+        let _e128 = way_10;
+        return _e128;
     }
-    let _e126 = seen_2;
-    alpha_104 = _e126.exit.surface.alpha;
-    let _e133 = onward;
-    way_10.lobe.direction = _e133;
-    let _e136 = lobe_15;
-    let _e138 = lobe_15;
-    let _e142 = alpha_104;
-    let _e144 = alpha_104;
-    way_10.lobe.sigma = sqrt(((_e136.sigma * _e138.sigma) + ((4f * _e142) * _e144)));
-    let _e150 = lobe_15;
-    let _e152 = cosTheta_54;
-    let _e153 = alpha_104;
-    let _e154 = eta_68;
-    let _e155 = engineFaceEnergy(_e152, _e153, _e154);
-    way_10.lobe.weight = (_e150.weight * _e155.reflected);
-    let _e159 = next_1;
-    way_10.exit = _e159.exit;
-    let _e163 = seen_2;
-    let _e166 = next_1;
-    way_10.exit.path = (_e163.exit.path + _e166.exit.path);
-    let _e171 = way_10;
-    let _e173 = next_1;
-    let _e176 = onward;
-    way_10.point = (_e171.point + (_e173.exit.path * _e176));
-    let _e179 = way_10;
-    return _e179;
+    let _e129 = seen_3;
+    alpha_108 = _e129.exit.surface.alpha;
+    let _e136 = onward;
+    way_10.lobe.direction = _e136;
+    let _e139 = lobe_16;
+    let _e141 = lobe_16;
+    let _e145 = alpha_108;
+    let _e147 = alpha_108;
+    way_10.lobe.sigma = sqrt(((_e139.sigma * _e141.sigma) + ((4f * _e145) * _e147)));
+    let _e153 = lobe_16;
+    let _e155 = cosTheta_58;
+    let _e156 = alpha_108;
+    let _e157 = eta_68;
+    let _e158 = engineFaceEnergy(_e155, _e156, _e157);
+    way_10.lobe.weight = (_e153.weight * _e158.reflected);
+    let _e162 = next_1;
+    way_10.exit = _e162.exit;
+    let _e166 = seen_3;
+    let _e169 = next_1;
+    way_10.exit.path = (_e166.exit.path + _e169.exit.path);
+    let _e174 = way_10;
+    let _e176 = next_1;
+    let _e179 = onward;
+    way_10.point = (_e174.point + (_e176.exit.path * _e179));
+    let _e182 = way_10;
+    return _e182;
 }
 
 fn refractFrontBack(face_24: GlassFace, body_8: ConvexBody, number_10: f32, view_42: SceneView, k_36: Widening) -> vec3<f32> {
@@ -8421,236 +9162,236 @@ fn refractFrontBack(face_24: GlassFace, body_8: ConvexBody, number_10: f32, view
     number_11 = number_10;
     view_43 = view_42;
     k_37 = k_36;
-    let _e44 = face_25;
-    let _e45 = body_9;
-    let _e47 = enterGlass(_e44, _e45.ior);
-    entered_2 = _e47;
-    let _e49 = face_25;
-    let _e50 = entered_2;
-    let _e53 = body_9;
-    let _e56 = number_11;
-    let _e57 = view_43;
-    let _e58 = wayOut(_e49, _e50.core, (1f / _e53.ior), _e56, _e57);
-    core_9 = _e58;
-    let _e60 = core_9;
-    if !(_e60.found) {
-        let _e63 = face_25;
-        let _e64 = body_9;
-        let _e65 = view_43;
-        let _e66 = k_37;
-        let _e67 = refractConvex(_e63, _e64, _e65, _e66);
-        return _e67;
+    let _e47 = face_25;
+    let _e48 = body_9;
+    let _e50 = enterGlass(_e47, _e48.ior);
+    entered_2 = _e50;
+    let _e52 = face_25;
+    let _e53 = entered_2;
+    let _e56 = body_9;
+    let _e59 = number_11;
+    let _e60 = view_43;
+    let _e61 = wayOut(_e52, _e53.core, (1f / _e56.ior), _e59, _e60);
+    core_9 = _e61;
+    let _e63 = core_9;
+    if !(_e63.found) {
+        let _e66 = face_25;
+        let _e67 = body_9;
+        let _e68 = view_43;
+        let _e69 = k_37;
+        let _e70 = refractConvex(_e66, _e67, _e68, _e69);
+        return _e70;
     }
-    let _e68 = face_25;
-    let _e69 = entered_2;
-    let _e72 = body_9;
-    let _e75 = number_11;
-    let _e76 = view_43;
-    let _e77 = wayOut(_e68, _e69.tail, (1f / _e72.ior), _e75, _e76);
-    tail_5 = _e77;
-    let _e80 = core_9;
-    entered_2.core = _e80.lobe;
-    let _e82 = tail_5;
-    if _e82.found {
-        let _e85 = tail_5;
-        entered_2.tail = _e85.lobe;
+    let _e71 = face_25;
+    let _e72 = entered_2;
+    let _e75 = body_9;
+    let _e78 = number_11;
+    let _e79 = view_43;
+    let _e80 = wayOut(_e71, _e72.tail, (1f / _e75.ior), _e78, _e79);
+    tail_5 = _e80;
+    let _e83 = core_9;
+    entered_2.core = _e83.lobe;
+    let _e85 = tail_5;
+    if _e85.found {
+        let _e88 = tail_5;
+        entered_2.tail = _e88.lobe;
     }
-    let _e87 = tail_5;
-    if !(_e87.found) {
-        let _e91 = core_9;
-        tail_5.exit = _e91.exit;
+    let _e90 = tail_5;
+    if !(_e90.found) {
+        let _e94 = core_9;
+        tail_5.exit = _e94.exit;
     }
-    let _e93 = face_25;
-    let _e94 = body_9;
-    let _e95 = entered_2;
-    let _e96 = core_9;
-    let _e98 = core_9;
-    let _e100 = tail_5;
-    let _e102 = view_43;
-    let _e103 = k_37;
-    let _e104 = refractThrough(_e93, _e94, _e95, _e96.point, _e98.exit, _e100.exit, _e102, _e103);
-    return _e104;
+    let _e96 = face_25;
+    let _e97 = body_9;
+    let _e98 = entered_2;
+    let _e99 = core_9;
+    let _e101 = core_9;
+    let _e103 = tail_5;
+    let _e105 = view_43;
+    let _e106 = k_37;
+    let _e107 = refractThrough(_e96, _e97, _e98, _e99.point, _e101.exit, _e103.exit, _e105, _e106);
+    return _e107;
 }
 
-fn lobeSide(direction_17: vec3<f32>) -> vec3<f32> {
-    var direction_18: vec3<f32>;
-    var level_2: vec3<f32>;
-    var s_16: f32;
-    var local_110: vec3<f32>;
+fn lobeSide(direction_25: vec3<f32>) -> vec3<f32> {
+    var direction_26: vec3<f32>;
+    var level_3: vec3<f32>;
+    var s_21: f32;
+    var local_116: vec3<f32>;
 
-    direction_18 = direction_17;
-    let _e36 = direction_18;
-    let _e39 = direction_18;
-    level_2 = vec3<f32>(_e36.z, 0f, -(_e39.x));
-    let _e44 = level_2;
-    let _e45 = level_2;
-    s_16 = dot(_e44, _e45);
-    let _e48 = s_16;
-    if (_e48 > 0f) {
-        let _e51 = level_2;
-        let _e52 = s_16;
-        local_110 = (_e51 * inverseSqrt(_e52));
+    direction_26 = direction_25;
+    let _e39 = direction_26;
+    let _e42 = direction_26;
+    level_3 = vec3<f32>(_e39.z, 0f, -(_e42.x));
+    let _e47 = level_3;
+    let _e48 = level_3;
+    s_21 = dot(_e47, _e48);
+    let _e51 = s_21;
+    if (_e51 > 0f) {
+        let _e54 = level_3;
+        let _e55 = s_21;
+        local_116 = (_e54 * inverseSqrt(_e55));
     } else {
-        local_110 = vec3<f32>(1f, 0f, 0f);
+        local_116 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e60 = local_110;
-    return _e60;
+    let _e63 = local_116;
+    return _e63;
 }
 
-fn lobeStratum(direction_19: vec3<f32>, sigma_10: f32, inner_11: f32, carried_2: f32, part_2: vec3<f32>) -> LobeStratum {
-    var direction_20: vec3<f32>;
-    var sigma_11: f32;
+fn lobeStratum(direction_27: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2: f32, part_2: vec3<f32>) -> LobeStratum {
+    var direction_28: vec3<f32>;
+    var sigma_15: f32;
     var inner_12: f32;
     var carried_3: f32;
     var part_3: vec3<f32>;
-    var side_3: vec3<f32>;
-    var off_2: vec3<f32>;
+    var side_4: vec3<f32>;
+    var off_3: vec3<f32>;
     var turn_2: f32;
     var p_17: LobeStratum;
-    var local_111: f32;
-    var local_112: f32;
+    var local_117: f32;
+    var local_118: f32;
     var together: f32;
     var rest_5: f32;
-    var local_113: f32;
+    var local_119: f32;
 
-    direction_20 = direction_19;
-    sigma_11 = sigma_10;
+    direction_28 = direction_27;
+    sigma_15 = sigma_14;
     inner_12 = inner_11;
     carried_3 = carried_2;
     part_3 = part_2;
-    let _e44 = direction_20;
-    let _e45 = lobeSide(_e44);
-    side_3 = _e45;
-    let _e47 = part_3;
-    let _e49 = side_3;
-    let _e51 = part_3;
-    let _e53 = direction_20;
-    let _e54 = side_3;
-    off_2 = ((_e47.x * _e49) + (_e51.y * cross(_e53, _e54)));
-    let _e59 = sigma_11;
-    let _e60 = off_2;
-    turn_2 = (_e59 * length(_e60));
-    let _e66 = turn_2;
-    let _e68 = direction_20;
-    let _e70 = turn_2;
-    if (_e70 > 0f) {
-        let _e73 = turn_2;
-        let _e75 = turn_2;
-        local_111 = (sin(_e73) / _e75);
+    let _e47 = direction_28;
+    let _e48 = lobeSide(_e47);
+    side_4 = _e48;
+    let _e50 = part_3;
+    let _e52 = side_4;
+    let _e54 = part_3;
+    let _e56 = direction_28;
+    let _e57 = side_4;
+    off_3 = ((_e50.x * _e52) + (_e54.y * cross(_e56, _e57)));
+    let _e62 = sigma_15;
+    let _e63 = off_3;
+    turn_2 = (_e62 * length(_e63));
+    let _e69 = turn_2;
+    let _e71 = direction_28;
+    let _e73 = turn_2;
+    if (_e73 > 0f) {
+        let _e76 = turn_2;
+        let _e78 = turn_2;
+        local_117 = (sin(_e76) / _e78);
     } else {
-        local_111 = 1f;
+        local_117 = 1f;
     }
-    let _e79 = local_111;
-    let _e80 = sigma_11;
-    let _e82 = off_2;
-    p_17.direction = ((cos(_e66) * _e68) + ((_e79 * _e80) * _e82));
-    let _e86 = part_3;
-    let _e88 = sigma_11;
-    p_17.sigma = (_e86.z * _e88);
-    let _e90 = sigma_11;
-    if (_e90 > 0f) {
-        let _e93 = carried_3;
-        let _e94 = sigma_11;
-        local_112 = clamp((_e93 / _e94), -1f, 1f);
+    let _e82 = local_117;
+    let _e83 = sigma_15;
+    let _e85 = off_3;
+    p_17.direction = ((cos(_e69) * _e71) + ((_e82 * _e83) * _e85));
+    let _e89 = part_3;
+    let _e91 = sigma_15;
+    p_17.sigma = (_e89.z * _e91);
+    let _e93 = sigma_15;
+    if (_e93 > 0f) {
+        let _e96 = carried_3;
+        let _e97 = sigma_15;
+        local_118 = clamp((_e96 / _e97), -1f, 1f);
     } else {
-        local_112 = 0f;
+        local_118 = 0f;
     }
-    let _e102 = local_112;
-    together = _e102;
-    let _e105 = together;
-    let _e106 = inner_12;
-    let _e108 = off_2;
-    p_17.aside = ((_e105 * _e106) * _e108);
-    let _e111 = together;
-    let _e112 = together;
-    let _e115 = part_3;
-    let _e117 = part_3;
-    rest_5 = sqrt(max((1f - ((_e111 * _e112) * (1f - (_e115.z * _e117.z)))), 0f));
-    let _e128 = rest_5;
-    let _e129 = inner_12;
-    p_17.inner = (_e128 * _e129);
-    let _e132 = rest_5;
-    if (_e132 > 0f) {
-        let _e135 = together;
-        let _e136 = sigma_11;
-        let _e138 = part_3;
+    let _e105 = local_118;
+    together = _e105;
+    let _e108 = together;
+    let _e109 = inner_12;
+    let _e111 = off_3;
+    p_17.aside = ((_e108 * _e109) * _e111);
+    let _e114 = together;
+    let _e115 = together;
+    let _e118 = part_3;
+    let _e120 = part_3;
+    rest_5 = sqrt(max((1f - ((_e114 * _e115) * (1f - (_e118.z * _e120.z)))), 0f));
+    let _e131 = rest_5;
+    let _e132 = inner_12;
+    p_17.inner = (_e131 * _e132);
+    let _e135 = rest_5;
+    if (_e135 > 0f) {
+        let _e138 = together;
+        let _e139 = sigma_15;
         let _e141 = part_3;
-        let _e144 = rest_5;
-        local_113 = ((((_e135 * _e136) * _e138.z) * _e141.z) / _e144);
+        let _e144 = part_3;
+        let _e147 = rest_5;
+        local_119 = ((((_e138 * _e139) * _e141.z) * _e144.z) / _e147);
     } else {
-        local_113 = 0f;
+        local_119 = 0f;
     }
-    let _e148 = local_113;
-    p_17.carried = _e148;
-    let _e149 = p_17;
-    return _e149;
+    let _e151 = local_119;
+    p_17.carried = _e151;
+    let _e152 = p_17;
+    return _e152;
 }
 
-fn thinWallCoordinate(lobe_16: i32, lobes_8: i32, cosTheta_55: f32, alpha_105: f32, eta_69: f32) -> vec3<f32> {
-    var lobe_17: i32;
+fn thinWallCoordinate(lobe_17: i32, lobes_8: i32, cosTheta_59: f32, alpha_109: f32, eta_69: f32) -> vec3<f32> {
+    var lobe_18: i32;
     var lobes_9: i32;
-    var cosTheta_56: f32;
-    var alpha_106: f32;
+    var cosTheta_60: f32;
+    var alpha_110: f32;
     var eta_70: f32;
 
-    lobe_17 = lobe_16;
+    lobe_18 = lobe_17;
     lobes_9 = lobes_8;
-    cosTheta_56 = cosTheta_55;
-    alpha_106 = alpha_105;
+    cosTheta_60 = cosTheta_59;
+    alpha_110 = alpha_109;
     eta_70 = eta_69;
-    let _e47 = cosTheta_56;
-    let _e51 = tableCoordinate(sqrt(max(_e47, 0f)), THIN_WALL_COSINES);
-    let _e52 = alpha_106;
-    let _e56 = lobe_17;
-    let _e57 = lobes_9;
-    let _e58 = blockCoordinate(sqrt(max(_e52, 0f)), THIN_WALL_ALPHAS, _e56, _e57);
-    let _e59 = eta_70;
-    let _e60 = interfaceEtaAxis(_e59);
-    let _e61 = tableCoordinate(_e60, THIN_WALL_SLICES);
-    return vec3<f32>(_e51, _e58, _e61);
+    let _e50 = cosTheta_60;
+    let _e54 = tableCoordinate(sqrt(max(_e50, 0f)), THIN_WALL_COSINES);
+    let _e55 = alpha_110;
+    let _e59 = lobe_18;
+    let _e60 = lobes_9;
+    let _e61 = blockCoordinate(sqrt(max(_e55, 0f)), THIN_WALL_ALPHAS, _e59, _e60);
+    let _e62 = eta_70;
+    let _e63 = interfaceEtaAxis(_e62);
+    let _e64 = tableCoordinate(_e63, THIN_WALL_SLICES);
+    return vec3<f32>(_e54, _e61, _e64);
 }
 
-fn thinWallWidth(cosTheta_57: f32, alpha_107: f32, eta_71: f32) -> f32 {
-    var cosTheta_58: f32;
-    var alpha_108: f32;
+fn thinWallWidth(cosTheta_61: f32, alpha_111: f32, eta_71: f32) -> f32 {
+    var cosTheta_62: f32;
+    var alpha_112: f32;
     var eta_72: f32;
-    var c_29: f32;
-    var local_114: f32;
-    var n_43: f32;
-    var across_13: f32;
-    var width_5: f32;
+    var c_33: f32;
+    var local_120: f32;
+    var n_52: f32;
+    var across_15: f32;
+    var width_7: f32;
 
-    cosTheta_58 = cosTheta_57;
-    alpha_108 = alpha_107;
+    cosTheta_62 = cosTheta_61;
+    alpha_112 = alpha_111;
     eta_72 = eta_71;
-    let _e43 = cosTheta_58;
-    c_29 = clamp(_e43, 0f, 1f);
-    let _e48 = eta_72;
-    if (_e48 < 1f) {
-        let _e52 = eta_72;
-        local_114 = (1f / max(_e52, 0.01f));
+    let _e46 = cosTheta_62;
+    c_33 = clamp(_e46, 0f, 1f);
+    let _e51 = eta_72;
+    if (_e51 < 1f) {
+        let _e55 = eta_72;
+        local_120 = (1f / max(_e55, 0.01f));
     } else {
-        let _e56 = eta_72;
-        local_114 = _e56;
+        let _e59 = eta_72;
+        local_120 = _e59;
     }
-    let _e58 = local_114;
-    n_43 = _e58;
-    let _e60 = n_43;
-    let _e63 = n_43;
-    let _e67 = c_29;
-    let _e68 = n_43;
-    let _e69 = fresnelG(_e67, _e68);
-    let _e70 = c_29;
-    across_13 = (((_e60 - 1f) * (_e63 + 1f)) / max((_e69 + _e70), 0.000000000000000000000000000001f));
-    let _e77 = alpha_108;
-    let _e79 = across_13;
-    let _e81 = c_29;
-    let _e82 = c_29;
-    let _e84 = alpha_108;
-    width_5 = (((1.4142135f * _e77) * _e79) * inverseSqrt(sqrt(((_e81 * _e82) + max(_e84, 0.000000000001f)))));
-    let _e92 = width_5;
-    let _e95 = width_5;
-    return (_e92 / (1f + (2f * _e95)));
+    let _e61 = local_120;
+    n_52 = _e61;
+    let _e63 = n_52;
+    let _e66 = n_52;
+    let _e70 = c_33;
+    let _e71 = n_52;
+    let _e72 = fresnelG(_e70, _e71);
+    let _e73 = c_33;
+    across_15 = (((_e63 - 1f) * (_e66 + 1f)) / max((_e72 + _e73), 0.000000000000000000000000000001f));
+    let _e80 = alpha_112;
+    let _e82 = across_15;
+    let _e84 = c_33;
+    let _e85 = c_33;
+    let _e87 = alpha_112;
+    width_7 = (((1.4142135f * _e80) * _e82) * inverseSqrt(sqrt(((_e84 * _e85) + max(_e87, 0.000000000001f)))));
+    let _e95 = width_7;
+    let _e98 = width_7;
+    return (_e95 / (1f + (2f * _e98)));
 }
 
 fn thinWallEnergy(texel_10: vec4<f32>) -> ThinWallEnergy {
@@ -8658,70 +9399,70 @@ fn thinWallEnergy(texel_10: vec4<f32>) -> ThinWallEnergy {
     var e_14: ThinWallEnergy;
 
     texel_11 = texel_10;
-    let _e41 = texel_11;
-    e_14.transmitted = _e41.x;
     let _e44 = texel_11;
-    e_14.reflectedFirst = _e44.y;
+    e_14.transmitted = _e44.x;
     let _e47 = texel_11;
-    e_14.reflectedLater = _e47.z;
-    let _e49 = e_14;
-    return _e49;
+    e_14.reflectedFirst = _e47.y;
+    let _e50 = texel_11;
+    e_14.reflectedLater = _e50.z;
+    let _e52 = e_14;
+    return _e52;
 }
 
 fn thinWallLaterSpread(eta_73: f32) -> f32 {
     var eta_74: f32;
-    var local_115: f32;
-    var n_44: f32;
+    var local_121: f32;
+    var n_53: f32;
 
     eta_74 = eta_73;
-    let _e39 = eta_74;
-    if (_e39 < 1f) {
-        let _e43 = eta_74;
-        local_115 = (1f / max(_e43, 0.01f));
+    let _e42 = eta_74;
+    if (_e42 < 1f) {
+        let _e46 = eta_74;
+        local_121 = (1f / max(_e46, 0.01f));
     } else {
-        let _e47 = eta_74;
-        local_115 = _e47;
+        let _e50 = eta_74;
+        local_121 = _e50;
     }
-    let _e49 = local_115;
-    n_44 = _e49;
-    let _e51 = n_44;
-    let _e52 = n_44;
-    let _e55 = n_44;
-    let _e59 = n_44;
-    return sqrt(((_e51 * _e52) + ((0.5f * (_e55 - 1f)) * (_e59 - 1f))));
+    let _e52 = local_121;
+    n_53 = _e52;
+    let _e54 = n_53;
+    let _e55 = n_53;
+    let _e58 = n_53;
+    let _e62 = n_53;
+    return sqrt(((_e54 * _e55) + ((0.5f * (_e58 - 1f)) * (_e62 - 1f))));
 }
 
-fn thinWallLobe(texel_12: vec4<f32>, cosTheta_59: f32, alpha_109: f32, eta_75: f32) -> InterfaceLobe {
+fn thinWallLobe(texel_12: vec4<f32>, cosTheta_63: f32, alpha_113: f32, eta_75: f32) -> InterfaceLobe {
     var texel_13: vec4<f32>;
-    var cosTheta_60: f32;
-    var alpha_110: f32;
+    var cosTheta_64: f32;
+    var alpha_114: f32;
     var eta_76: f32;
-    var c_30: f32;
-    var width_6: f32;
-    var lobe_18: InterfaceLobe;
+    var c_34: f32;
+    var width_8: f32;
+    var lobe_19: InterfaceLobe;
 
     texel_13 = texel_12;
-    cosTheta_60 = cosTheta_59;
-    alpha_110 = alpha_109;
+    cosTheta_64 = cosTheta_63;
+    alpha_114 = alpha_113;
     eta_76 = eta_75;
-    let _e45 = cosTheta_60;
-    c_30 = clamp(_e45, 0f, 1f);
-    let _e50 = c_30;
-    let _e51 = alpha_110;
-    let _e55 = eta_76;
-    let _e56 = thinWallWidth(_e50, clamp(_e51, 0f, 1f), _e55);
-    width_6 = _e56;
-    let _e61 = c_30;
-    let _e64 = c_30;
-    let _e68 = c_30;
-    let _e70 = texel_13;
-    let _e72 = width_6;
-    lobe_18.angle = (atan2(sqrt(((1f - _e61) * (1f + _e64))), _e68) + (_e70.x * _e72));
-    let _e76 = texel_13;
-    let _e78 = width_6;
-    lobe_18.sigma = (_e76.y * _e78);
-    let _e81 = texel_13;
-    lobe_18.weight = _e81.z;
-    let _e83 = lobe_18;
-    return _e83;
+    let _e48 = cosTheta_64;
+    c_34 = clamp(_e48, 0f, 1f);
+    let _e53 = c_34;
+    let _e54 = alpha_114;
+    let _e58 = eta_76;
+    let _e59 = thinWallWidth(_e53, clamp(_e54, 0f, 1f), _e58);
+    width_8 = _e59;
+    let _e64 = c_34;
+    let _e67 = c_34;
+    let _e71 = c_34;
+    let _e73 = texel_13;
+    let _e75 = width_8;
+    lobe_19.angle = (atan2(sqrt(((1f - _e64) * (1f + _e67))), _e71) + (_e73.x * _e75));
+    let _e79 = texel_13;
+    let _e81 = width_8;
+    lobe_19.sigma = (_e79.y * _e81);
+    let _e84 = texel_13;
+    lobe_19.weight = _e84.z;
+    let _e86 = lobe_19;
+    return _e86;
 }
