@@ -19,7 +19,8 @@ struct Context {
   gpu::Device& device;
   const needs::Needs& needs;
   Draws& draws;
-  const UniformArray& regions; // of the blocks in frame/regions.h
+  const UniformArray& regions;       // of the blocks in frame/regions.h
+  const UniformArray& shadow_frames; // of each shadow view (frame/shadow_blocks.h)
 
   // A pipeline that covers its targets without a mesh.
   gpu::PipelineRef fullscreen(gpu::PipelineDesc desc) const {

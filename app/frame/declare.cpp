@@ -6,6 +6,7 @@ namespace gg::frame {
 
 Graph graph_of(const needs::Needs& needs) {
   Graph graph{.width = needs.view.width, .height = needs.view.height};
+  declare_shadows(graph, needs);
   declare_geometry(graph, needs);
   declare_opaque(graph, needs);
   declare_material_depth(graph, needs);
@@ -22,6 +23,7 @@ Graph graph_of(const needs::Needs& needs) {
     declare_refractive(graph, needs, l, backdrop, interior);
   }
   declare_accumulate(graph, needs);
+  read_shadows(graph, needs);
   return graph;
 }
 

@@ -125,7 +125,8 @@ gpu::Pass Execution::pass(std::size_t i, int sample) const {
     pass.colors.push_back(target);
   }
   if (of.depth)
-    pass.depth = gpu::DepthTarget{.view = one({of.depth->target}), .clear = of.depth->clear};
+    pass.depth = gpu::DepthTarget{.view = one({of.depth->target, Part::all, of.depth->layer}),
+                                  .clear = of.depth->clear};
   pass.record = [this, sample, inputs, &record = records_[i]](gpu::Encoder& encoder) {
     shared_.bind(encoder, sample);
     for (const Bound& input : inputs)
@@ -138,7 +139,7 @@ gpu::Pass Execution::pass(std::size_t i, int sample) const {
 std::vector<gpu::Pass> Execution::passes(int sample) const {
   std::vector<gpu::Pass> passes;
   for (std::size_t i = 0; i < graph_->passes.size(); ++i)
-    passes.push_back(pass(i, sample));
+    if (sample == 0 || !graph_->passes[i].once) passes.push_back(pass(i, sample));
   return passes;
 }
 

@@ -26,7 +26,7 @@ struct Target {
   int width = 0, height = 0; // pixels: a pass runs at the rate of the target that it draws into
   int layers = 1, levels = 1;
   bool array = false;     // is read as one, whatever its layers
-  bool is_result = false; // is read back: lives through the whole frame
+  bool is_result = false; // lives through the whole frame, and can be read back
 };
 std::size_t bytes_of(const Target& target);
 
@@ -54,6 +54,7 @@ struct ColorOutput {
 struct DepthOutput {
   std::size_t target = 0;
   std::optional<float> clear;
+  int layer = 0;
 };
 
 using Record = std::function<void(gpu::Encoder&)>;
@@ -62,6 +63,7 @@ struct Pass {
   std::string label;     // of its timer; passes of one label are counted together
   std::size_t draws = 0; // of meshes and regions
   bool shades = false;   // materials: reads the environment, tables and textures
+  bool once = false; // with the first sample of a frame: what it writes must live through the frame
   std::vector<Input> reads;
   std::vector<ColorOutput> colors;
   std::optional<DepthOutput> depth;

@@ -36,6 +36,9 @@ std::vector<Share> memory_of(const needs::Needs& needs, const Graph& graph) {
       + padded<uniforms::InstanceData>(needs.draws.instances.size())
       + padded<uniforms::RegionData>(regions)
       + (surrounded > 0 ? padded<uniforms::NeighboursData>(surrounded) : 0)
+      + (needs.shadows.views.empty() ? 0
+                                     : padded<uniforms::FrameData>(needs.shadows.views.size())
+                                           + padded<uniforms::ShadowsData>(1))
       + std::max<std::size_t>(scene.lights.size(), 1) * sizeof(uniforms::LightData);
   return {{"environment", needs.view.environment.value_or(0)},
           {"tables", tables},

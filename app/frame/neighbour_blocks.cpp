@@ -2,6 +2,7 @@
 
 #include "glsl/f64.h"
 #include "needs/neighbours.h"
+#include "needs/proxies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +137,7 @@ std::vector<uniforms::NeighboursData> neighbour_blocks(const needs::Needs& needs
       own.sideV = glm::vec4(proxy.side_v, continues ? 1.0f : 0.0f);
       if (own.emission.w > 0.0f)
         own.through *= glm::vec4(absorbed(*proxy.material, depth_of(*needs.proxies, proxy)), 1.0f);
+      own.through.w = needs::is_lens(proxy) ? 1.0f : 0.0f;
       before = &proxy;
     }
   }

@@ -2,6 +2,7 @@
 
 #include "environment/stack.h"
 #include "frame/regions.h"
+#include "frame/shadow_blocks.h"
 
 #include <array>
 #include <cstring>
@@ -11,7 +12,8 @@ namespace gg::frame {
 Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDesc& desc)
     : device_(device), scene_(scene), shapes_(scene), uploaded_(device),
       tables_(tables::make_tables(device)),
-      draws_(device, uploaded_, tables_), context_{device, needs_, draws_, regions_},
+      draws_(device, uploaded_, tables_), context_{device, needs_, draws_, regions_,
+                                                   shadow_frames_},
       execution_(device) {
   set(desc);
 }
@@ -29,6 +31,10 @@ void Renderer::set(const FrameDesc& desc) {
   update_uniforms(device_, frames_, "frame",
                   frame_blocks(desc, needs_, pyramid ? pyramid->levels : 1));
   update_uniforms(device_, regions_, "regions", region_blocks(needs_));
+  if (!needs_.shadows.views.empty()) {
+    update_uniforms(device_, shadow_frames_, "shadow frames", shadow_frames(needs_.shadows));
+    update_uniforms(device_, shadows_, "shadows", std::vector{shadows_block(needs_.shadows)});
+  }
   Execution::Shared shared{
       .bind = [this](gpu::Encoder& encoder, int sample) { bind(encoder, sample); },
       .reads = draws_.sampled()};
@@ -58,6 +64,7 @@ void Renderer::bind(gpu::Encoder& encoder, int sample) const {
   encoder.buffer("Frame", frames_.buffer, frames_.offset(static_cast<std::size_t>(sample)),
                  frames_.size);
   encoder.buffer("Lights", uploaded_.lights());
+  if (!needs_.shadows.views.empty()) encoder.buffer("Shadows", shadows_.buffer, 0, shadows_.size);
   const environment::Stack* stack = desc_.environment.stack;
   if (!stack) return;
   encoder.texture("stackEven", gpu::whole(stack->even), stack->sampler);

@@ -68,7 +68,8 @@ private:
   // The file that each kind of a model's tables holds.
   std::map<std::pair<const tables::ModelTables*, needs::TableKind>, std::string> table_files_;
   Draws draws_;
-  UniformArray frames_, regions_; // a block per sample, a block per region
+  UniformArray frames_, regions_;        // a block per sample, a block per region
+  UniformArray shadow_frames_, shadows_; // a block per view of a light, one of all
   Context context_;
   Execution execution_;
   std::vector<std::vector<gpu::Pass>> passes_; // by sample

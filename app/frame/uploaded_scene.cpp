@@ -183,8 +183,14 @@ void UploadedScene::upload_blocks() {
     update_uniforms(device_, neighbours_, "neighbours", neighbour_blocks(*needs_, image_means_));
 
   std::vector<uniforms::LightData> lights;
-  for (const scene::Light& light : needs_->scene->lights)
+  for (const scene::Light& light : needs_->scene->lights) {
+    const std::size_t i = lights.size();
     lights.push_back(block_of(light));
+    if (needs_->shadows.views.empty()) continue;
+    const needs::LightViews& views = needs_->shadows.of_light[i];
+    lights.back().cone.z = static_cast<float>(views.first);
+    lights.back().cone.w = views.nothing_casts ? -1.0f : static_cast<float>(views.count);
+  }
   if (lights.empty()) lights.emplace_back();
   if (lights_) // as many as before, which may have been moved
     device_.upload(lights_, 0, bytes(lights));
@@ -201,8 +207,8 @@ void UploadedScene::upload_textures() {
                              *needs_->scene->images[static_cast<std::size_t>(image.image)],
                              image.srgb, image.mipmaps);
   }
-  for (const needs::Draw& draw : needs_->draws.all)
-    for (const needs::Map& map : draw.maps) {
+  for (const needs::Draw* draw : needs_->read())
+    for (const needs::Map& map : draw->maps) {
       const auto [at, is_new] = samplers_.try_emplace(map.texture);
       if (is_new)
         at->second = device_.create(

@@ -180,16 +180,15 @@ Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes) {
       const scene::Material& material =
           scene.materials[static_cast<std::size_t>(primitive.material)];
       const scene::Bounds bounds = world_bounds(primitive.bounds, instance.world);
-      if (bounds.empty() || is_outside(bounds, clip, view.width, view.height)) {
-        ++draws.outside;
-        continue;
-      }
+      const bool outside = bounds.empty() || is_outside(bounds, clip, view.width, view.height);
+      if (outside) ++draws.outside;
+      if (outside && (bounds.empty() || scene.lights.empty())) continue;
       if (is_invisible(material, primitive)) {
-        ++draws.invisible;
+        draws.invisible += outside ? 0 : 1;
         continue;
       }
       const Features features = features_of(scene, material, primitive, frame);
-      Draw& draw = draws.all.emplace_back();
+      Draw& draw = (outside ? draws.outside_view : draws.all).emplace_back();
       draw.primitive = &primitive;
       draw.material = &material;
       draw.material_index = place_in(draws.materials, materials, &material);

@@ -65,7 +65,8 @@ struct Draw {
 };
 
 struct Draws {
-  std::vector<Draw> all;                         // in the order of the scene
+  std::vector<Draw> all;          // in the order of the scene
+  std::vector<Draw> outside_view; // what can cast shadows into it; none without lights
   std::vector<const scene::Material*> materials; // that they use, by material_index
   std::vector<scene::Index> bodies;              // that these bound, by material_index
   std::vector<const scene::Instance*> instances; // by instance_index

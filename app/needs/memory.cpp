@@ -34,10 +34,10 @@ std::size_t bytes_of(const Image& image) {
                   image.mipmaps ? mip_levels(image.width, image.height) : 1);
 }
 
-std::vector<Image> images_of(const scene::Scene& scene, const std::vector<Draw>& draws) {
+std::vector<Image> images_of(const scene::Scene& scene, const std::vector<const Draw*>& draws) {
   std::vector<Image> images;
-  for (const Draw& draw : draws)
-    for (const Map& map : draw.maps) {
+  for (const Draw* draw : draws)
+    for (const Map& map : draw->maps) {
       const scene::Texture& texture = scene.textures[static_cast<std::size_t>(map.texture)];
       auto found = std::ranges::find_if(images, [&](const Image& image) {
         return image.image == texture.image && image.srgb == map.srgb;
@@ -53,18 +53,18 @@ std::vector<Image> images_of(const scene::Scene& scene, const std::vector<Draw>&
   return images;
 }
 
-std::vector<scene::Index> streams_of(const std::vector<Draw>& draws) {
+std::vector<scene::Index> streams_of(const std::vector<const Draw*>& draws) {
   std::vector<scene::Index> streams;
-  for (const Draw& draw : draws)
-    for (const VertexInput& input : draw.inputs)
+  for (const Draw* draw : draws)
+    for (const VertexInput& input : draw->inputs)
       streams.push_back(input.stream);
   return each_once(std::move(streams));
 }
 
-std::vector<scene::Index> index_lists_of(const std::vector<Draw>& draws) {
+std::vector<scene::Index> index_lists_of(const std::vector<const Draw*>& draws) {
   std::vector<scene::Index> lists;
-  for (const Draw& draw : draws)
-    lists.push_back(draw.primitive->indices);
+  for (const Draw* draw : draws)
+    lists.push_back(draw->primitive->indices);
   return each_once(std::move(lists));
 }
 

@@ -20,8 +20,8 @@ int mip_levels(int width, int height); // of a complete chain
 std::size_t bytes_of(const Image& image);
 
 // Each once: images in the order of first use, the others by index.
-std::vector<Image> images_of(const scene::Scene& scene, const std::vector<Draw>& draws);
-std::vector<scene::Index> streams_of(const std::vector<Draw>& draws);
-std::vector<scene::Index> index_lists_of(const std::vector<Draw>& draws);
+std::vector<Image> images_of(const scene::Scene& scene, const std::vector<const Draw*>& draws);
+std::vector<scene::Index> streams_of(const std::vector<const Draw*>& draws);
+std::vector<scene::Index> index_lists_of(const std::vector<const Draw*>& draws);
 
 } // namespace gg::needs

@@ -94,6 +94,14 @@ std::size_t Needs::triangle_count() const {
   return count;
 }
 
+std::vector<const Draw*> Needs::read() const {
+  std::vector<const Draw*> read;
+  for (const std::vector<Draw>* list : {&draws.all, &shadows.casters, &shadows.filters})
+    for (const Draw& draw : *list)
+      read.push_back(&draw);
+  return read;
+}
+
 Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes) {
   Shapes own(scene);
   if (!shapes) shapes = &own;
@@ -108,14 +116,15 @@ Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes) {
     needs.proxies = shapes->proxies();
     find_neighbours(needs.draws, scene, *needs.proxies);
   }
+  needs.shadows = shadow_maps_of(scene, view, needs.draws, *shapes, needs.proxies.get());
   mark_fine(needs.draws.all, view);
   needs.bounds = bounds_of(needs.draws.all, scene.bounds);
   sort_opaque(needs);
   sort_layers(needs);
   needs.tables = tables_of(needs.draws.all, view);
-  needs.images = images_of(scene, needs.draws.all);
-  needs.streams = streams_of(needs.draws.all);
-  needs.index_lists = index_lists_of(needs.draws.all);
+  needs.images = images_of(scene, needs.read());
+  needs.streams = streams_of(needs.read());
+  needs.index_lists = index_lists_of(needs.read());
   needs.lookups = lookups_of(needs);
   return needs;
 }

@@ -6,6 +6,7 @@
 #include "needs/layers.h"
 #include "needs/memory.h"
 #include "needs/proxies.h"
+#include "needs/shadow_maps.h"
 #include "needs/tables.h"
 #include "needs/view.h"
 #include "needs/walls.h"
@@ -41,7 +42,8 @@ struct Needs {
   std::vector<Layer> layers;          // the farthest first, each with glass in it or behind it
   bool has_neighbours = false;        // what leaves glass can meet other things
   std::shared_ptr<const Proxies>
-      proxies;             // of all that stands in the scene; none where no draw asks for them
+      proxies; // of all that stands in the scene; none where no draw asks for them
+  ShadowMaps shadows;
   std::vector<Wall> walls; // that they can meet where the picture ends
   bool sky = false;
   scene::Bounds bounds; // of what is drawn, in the world: beyond it no ray meets anything
@@ -53,7 +55,8 @@ struct Needs {
 
   // Some opaque surfaces are shaded after the pass that draws the others: blended ones lie over them later still.
   bool shades_opaque_late() const { return !opaque_regions.empty(); }
-  std::size_t triangle_count() const; // per sample, each draw once
+  std::size_t triangle_count() const;    // per sample, each draw once
+  std::vector<const Draw*> read() const; // the draws, and those that shadow maps take
 };
 
 // Total reflections inside a solid that are followed.

@@ -20,6 +20,7 @@ constexpr double in_part =
     0.1; // of the lesser box: parts of one instance that share more of it are one body
 constexpr double within = 0.8;  // the same of two instances
 constexpr double is_long = 2.0; // times as long as wide: several spheres
+constexpr double round = 0.02;  // of its radius: how far a ball's points may be off its sphere
 constexpr int most_spheres = 4;
 constexpr std::size_t most_merged =
     512; // parts, past which instances are not compared with each other
@@ -237,17 +238,26 @@ std::vector<Proxy> spheres_of(const scene::Scene& scene, const std::vector<const
           ? std::clamp(static_cast<int>(std::lround(axis.length / axis.width)), 2, most_spheres)
           : 1;
   const double radius = std::sqrt(shadow.area / (std::numbers::pi * count));
+  const bool ball = count == 1 && std::ranges::all_of(points, [&](const glm::dvec3& p) {
+                      return std::abs(glm::length(p - shadow.centre) - radius) < round * radius;
+                    });
   std::vector<Proxy> spheres;
   for (int i = 0; i < count; ++i) {
     const double along = count == 1 ? 0.0 : ((i + 0.5) / count - 0.5) * axis.length;
     spheres.push_back({.centre = glm::vec3(shadow.centre + along * axis.direction),
                        .radius = static_cast<float>(radius),
+                       .ball = ball,
                        .material = material});
   }
   return spheres;
 }
 
 } // namespace
+
+bool is_lens(const Proxy& proxy) {
+  return proxy.ball && is_refractive(*proxy.material) && proxy.material->thickness > 0.0f
+         && proxy.material->ior > 1.0f;
+}
 
 Proxies proxies_of(const scene::Scene& scene) {
   const std::vector<Part> parts = parts_of(scene);

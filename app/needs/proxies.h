@@ -18,10 +18,14 @@ struct Proxy {
   glm::vec3 centre{0.0f};
   float radius = 0.0f;                  // metres
   glm::vec3 side_u{0.0f}, side_v{0.0f}; // half of its sides
+  bool ball = false;                    // all of the body's surface lies on the sphere
   bool one_sided = false;               // a face of a box: met on the side of cross(side_u, side_v)
   std::size_t body = 0;                 // the thing that it stands for, or is part of
   const scene::Material* material = nullptr;
 };
+
+// A ball of glass, which gathers light.
+bool is_lens(const Proxy& proxy);
 
 struct Proxies {
   std::vector<Proxy> all;

@@ -17,6 +17,7 @@ using glm::vec4;
 #include "../../shaders/interface/material.glsl"
 #include "../../shaders/interface/neighbours.glsl"
 #include "../../shaders/interface/region.glsl"
+#include "../../shaders/interface/shadows.glsl"
 
 // std140 and std430 place these types at multiples of 16 bytes with no holes, which is what C++
 // does too.
@@ -26,5 +27,6 @@ static_assert(offsetof(LightData, cone) == 48 && sizeof(LightData) == 64);
 static_assert(offsetof(MaterialData, baseColorRow0) == 176 && sizeof(MaterialData) == 656);
 static_assert(sizeof(NeighbourData) == 112 && offsetof(NeighboursData, each) == 16);
 static_assert(sizeof(RegionData) == 32);
+static_assert(sizeof(ShadowViewData) == 144);
 
 } // namespace gg::uniforms

@@ -8,7 +8,7 @@ struct NeighbourData {
     vec4 f0;       // xyz: reflectance at normal incidence; w: at 90 degrees
     vec4 base;     // xyz: albedo of the diffuse base; w: alpha, width of D
     vec4 emission; // xyz: radiance; w: ior of glass, 0: opaque
-    vec4 through;  // xyz: of glass, what passes both faces besides Fresnel's share
+    vec4 through;  // xyz: of glass, what passes both faces besides Fresnel's share; w: 1 if it is a ball, not only taken for one
 };
 
 const int MOST_NEIGHBOURS = 8;

@@ -73,7 +73,8 @@ vec3 coatLights(Surface coat) {
         Facet f = reflectionFacet(a.wi, coat.wo, coat.n, 1.5); // its g is not used
         if (!f.exists) continue;
         vec3 light = a.irradiance * (materialLobe(coat, f) * f.wi.z);
-        if (neighbourKinds != 0) light *= passesNeighbours(coat.position, a.wi, a.range, 0.0);
+        if (neighbourKinds != 0 || lighting > 1)
+            light *= lightPasses(lights[i], a, coat.position, unitNormal(inNormal, gl_FrontFacing));
         sum += light;
     }
     return sum;

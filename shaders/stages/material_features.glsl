@@ -16,7 +16,7 @@ layout(constant_id = 10) const int distribution = 0;   // 0 GGX, 1 Beckmann, 2 P
 layout(constant_id = 11) const bool correlatedSmith = false;
 layout(constant_id = 12) const int method = 1;         // 0 standard (what peers do), K: K lobes, 100 + N: N importance samples
 layout(constant_id = 13) const bool hasEnvironment = true;
-layout(constant_id = 14) const bool hasLights = false;
+layout(constant_id = 14) const int lighting = 0;       // 0 no punctual lights, 1 without shadow maps, 2 with, 3 tinted by glass too
 layout(constant_id = 15) const bool alphaIsGiven = false; // material.surface.z in place of roughness²
 layout(constant_id = 16) const bool multipleScattering = false;
 layout(constant_id = 17) const bool schlickDielectric = false; // KHR_materials_specular tints: F0 is a colour
@@ -44,3 +44,5 @@ layout(constant_id = 38) const bool hasFilm = false; // KHR_materials_iridescenc
 layout(constant_id = 39) const int iridescenceMapUv = 0;
 layout(constant_id = 40) const int iridescenceThicknessMapUv = 0;
 layout(constant_id = 26) const int interiorPairs = 0; // of front and back faces that the inside is followed through
+
+const bool hasLights = lighting != 0;

@@ -21,8 +21,9 @@ PassedOn nothingPassedOn() {
     return on;
 }
 
-// Radians: a proxy's radius is known to a fiftieth, and what a ball bends changes by twice that and more.
+// Radians: a proxy's radius is known to a fiftieth, and what it bends changes by twice that and more, unless the body is a ball.
 const float UNSURE = 0.05;
+const float UNSURE_BALL = 0.02;
 
 // Through a ball, which bends each ray by 2 (i - t) about its axis (Snell's i and t) and spreads a cone by the derivatives of
 // that; or straight through a pane. weight: of the lobe that meets it.
@@ -46,10 +47,11 @@ PassedOn withPassed(PassedOn on, NeighbourData o, LobeShare met, vec3 p, vec3 we
     }
     float share = weight.y;
     float rough = 1.5 * o.base.w; // fitted to the ball grid's gold in all its widths
+    float unsure = ofPixel(o.through.w) > 0.0 ? UNSURE_BALL : UNSURE;
     on.weight += weight * passedBy(o, c);
     on.point += share * (p + point);
     on.direction += share * leaves;
-    on.variance += share * (met.sigma * met.sigma * spread + rough * rough + UNSURE * UNSURE);
+    on.variance += share * (met.sigma * met.sigma * spread + rough * rough + unsure * unsure);
     on.share += share;
     return on;
 }

@@ -35,3 +35,18 @@ vec3 passesNeighbours(vec3 p, vec3 wi, float range, float sigma) {
     }
     return c.passed;
 }
+
+// The same of balls of glass alone: shadow maps have all else (needs/shadow_maps.h).
+vec3 passesLenses(vec3 p, vec3 wi, float range) {
+    vec3 passed = vec3(1.0);
+    for (int i = 0; i < ofPixel(neighbours.counts.x); ++i) {
+        NeighbourData o = neighbours.each[i];
+        if (!(ofPixel(o.through.w) > 0.0)) continue;
+        vec3 centre = o.centre.xyz - p;
+        LobeShare met = sphereShare(centre, o.centre.w, wi, 0.0);
+        if (met.share < LEAST_SHARE || met.distance > range) continue;
+        vec3 tint = passedBy(o, max(dot(-wi, met.n), 0.0)) * ballGathers(centre, o.centre.w, wi, o.emission.w, o.base.w);
+        passed *= 1.0 - met.share * (1.0 - tint);
+    }
+    return passed;
+}

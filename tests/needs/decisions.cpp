@@ -84,6 +84,31 @@ TEST(needs, an_opaque_scene_has_one_pass) {
   EXPECT_EQ(needs.lookups.refracted, 0);
 }
 
+TEST(needs, shadow_maps_are_where_a_light_and_what_casts_and_what_is_lit_are) {
+  const auto views = [](const scene::Scene& scene, Method method = Method::lobes2) {
+    return needs::needs_of(scene, view(method)).shadows.views.size();
+  };
+  scene::Scene scene = ball(dielectric(0.5f));
+  add(scene, square(dielectric(0.5f)), at({0, 0, -1.5f}));
+  EXPECT_EQ(views(scene), 0u) << "no light";
+  const Needs dark = needs::needs_of(scene, view());
+  EXPECT_EQ(labels(dark), (Labels{"geometry", "opaque", "material depth", "deferred"}));
+  scene.lights = {{.kind = scene::LightKind::directional}, {.position = {0.2f, 0.0f, 4.0f}}};
+  EXPECT_EQ(views(scene), 2u);
+  EXPECT_EQ(views(scene, Method::standard), 2u);
+  const Needs lit = needs::needs_of(scene, view());
+  EXPECT_EQ(labels(lit),
+            (Labels{"shadow", "shadow", "geometry", "opaque", "material depth", "deferred"}));
+  EXPECT_FALSE(target(lit, "shadow tint"));
+  add(scene, box(thin(glass(0.3f))), at({3.0f, 0.0f, 0.0f}));
+  const Needs tinted = needs::needs_of(scene, view());
+  EXPECT_TRUE(target(tinted, "shadow tint"));
+  EXPECT_EQ(value_of(tinted.draws.all.front().key, Feature::lights), 3);
+  scene::Scene alone = ball(dielectric(0.5f));
+  alone.lights = scene.lights;
+  EXPECT_EQ(views(alone), 0u) << "a convex thing alone";
+}
+
 TEST(needs, an_unlit_scene_reads_no_table) {
   EXPECT_TRUE(needs::needs_of(ball(unlit(glm::vec3(1.0f))), view()).tables.empty());
 }

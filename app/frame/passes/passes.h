@@ -15,6 +15,9 @@ struct Backdrop {
   std::vector<Input> inputs() const;
 };
 
+// The maps of needs/shadow_maps.h; and, once all passes are declared, that those which shade read them.
+void declare_shadows(Graph& graph, const needs::Needs& needs);
+void read_shadows(Graph& graph, const needs::Needs& needs);
 void declare_geometry(Graph& graph, const needs::Needs& needs);
 void declare_opaque(Graph& graph, const needs::Needs& needs);
 void declare_material_depth(Graph& graph, const needs::Needs& needs);
