@@ -97,6 +97,23 @@ bool holds_something(const Draw& solid, const std::vector<Draw>& draws) {
   });
 }
 
+// Base colour or clear share, which each face that light passes applies, are not the same on all faces of the body.
+bool faces_differ(const Draw& draw, const std::vector<Draw>& draws) {
+  const scene::Material& m = *draw.material;
+  const auto varies = [](const Draw& d) {
+    for (const Feature feature : {Feature::base_color_map, Feature::transmission_map,
+                                  Feature::metallic_roughness_map, Feature::vertex_color})
+      if (value_of(d.key, feature) != 0) return true;
+    return false;
+  };
+  return varies(draw) || std::ranges::any_of(draws, [&](const Draw& other) {
+           const scene::Material& o = *other.material;
+           return same_body(draw, other)
+                  && (varies(other) || o.base_color != m.base_color
+                      || o.transmission != m.transmission || o.metallic != m.metallic);
+         });
+}
+
 // Pairs of a front and a back face that the rays inside are followed through. Peers' method takes the material's word
 // for the way inside; what bends nothing needs it only where it absorbs, and then from its first front to its first back.
 int interior_pairs(const Draw& draw, const View& view, const scene::Instance& instance,
@@ -227,8 +244,10 @@ Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes) {
     draw.by_pixel = is_by_pixel(draw) && !shares_body(draw, draws.all);
   }
   for (Draw& draw : draws.all)
-    if (value_of(draw.key, Feature::interior_pairs) > 0 && !draw.is_straight())
+    if (value_of(draw.key, Feature::interior_pairs) > 0 && !draw.is_straight()) {
       set_value(draw.key, Feature::holds_opaque, holds_something(draw, draws.all));
+      set_value(draw.key, Feature::faces_differ, faces_differ(draw, draws.all));
+    }
   return draws;
 }
 

@@ -3,6 +3,8 @@
 #include "core/error.h"
 #include "glsl/f32.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -156,9 +158,14 @@ Features features_of(const scene::Scene& scene, const Material& m, const Primiti
     auto found = std::ranges::find(sets, uv_set);
     if (found == sets.end()) {
       if (static_cast<int>(sets.size()) == max_uv_sets) {
-        note("material '" + m.name + "' reads more than " + std::to_string(max_uv_sets)
-             + " sets of texture coordinates; its texture on TEXCOORD_" + std::to_string(uv_set)
-             + " is not drawn");
+        const auto number = std::ranges::find_if(
+            scene.materials, [&](const Material& other) { return &other == &m; });
+        std::string name(map->name); // glTF's, but for the last word
+        name.replace(name.rfind("Map"), 3, "Texture");
+        note(fmt::format("materials[{}]{} reads more than {} sets of texture coordinates: its {}, on "
+                         "TEXCOORD_{}, is not drawn (truth has it)",
+                         number - scene.materials.begin(), m.name.empty() ? "" : " ('" + m.name + "')",
+                         max_uv_sets, name, uv_set));
         continue;
       }
       found = sets.insert(sets.end(), uv_set);

@@ -80,6 +80,7 @@ enum class Feature : std::uint32_t {
   iridescence,
   iridescence_map,
   iridescence_thickness_map,
+  faces_differ, // base colour or clear share vary over the faces of a solid
   count
 };
 enum class Shading { unlit, dielectric, metal, mixed, conductor };

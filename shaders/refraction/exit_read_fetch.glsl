@@ -52,7 +52,7 @@ ExitHit exitRead(usampler2DArray interior, int layer, InteriorView view, ExitRay
   float least = EXIT_FAR;
   InteriorSurface own = s[0];
   for (int k = 0; k < 4; ++k) {
-    if (float(bits[k].w) != solid || dot(direction, s[k].n) <= 0.0) continue;
+    if (interiorNumber(bits[k]) != solid || dot(direction, s[k].n) <= 0.0) continue;
     float apart = abs(exitPlane(origin, direction, s[k].point, s[k].n) - t);
     if (apart < least) {
       least = apart;
@@ -68,7 +68,7 @@ ExitHit exitRead(usampler2DArray interior, int layer, InteriorView view, ExitRay
   vec3 point = vec3(0.0);
   vec3 n = vec3(0.0);
   for (int k = 0; k < 4; ++k) {
-    if (float(bits[k].w) != solid) continue;
+    if (interiorNumber(bits[k]) != solid) continue;
     shown += weights[k];
     if (dot(direction, s[k].n) <= 0.0 || !exitSame(own.point, own.n, s[k].point, s[k].n)) continue;
     total += weights[k];

@@ -29,7 +29,7 @@ ExitIntersection exitIntersection(usampler2DArray interior, int pairs, InteriorV
   vec4 depths = vec4(0.0);
   for (int layer = 0; layer < 2 * pairs; ++layer) {
     bits[layer] = texelFetch(interior, ivec3(at, layer), 0);
-    depths[layer] = float(bits[layer].w) == solid ? uintBitsToFloat(bits[layer].x) : 0.0;
+    depths[layer] = interiorNumber(bits[layer]) == solid ? uintBitsToFloat(bits[layer].x) : 0.0;
   }
   vec4 stretches = exitStretches(depths);
   ExitIntersection best;

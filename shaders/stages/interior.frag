@@ -3,7 +3,7 @@
 #include "interface/frame.glsl"
 #include "interface/instance.glsl"
 #include "interface/material.glsl"
-#include "refraction/exit_surface.glsl"
+#include "refraction/interior_fetch.glsl"
 #include "stages/material_features.glsl"
 #include "stages/object.glsl"
 
@@ -25,9 +25,14 @@ layout(location = 0) out uvec4 outTexel;
 void main() {
     // The same draw gives the same depth to the bit in every pass (opaque.vert: invariant).
     if (peels && gl_FragCoord.z >= uintBitsToFloat(texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).x)) discard;
-    float alpha = readSurface(surfaceBaseColor()).alpha; // coverage is not read from within
+    Surface s = readSurface(surfaceBaseColor());
+    float alpha = s.alpha; // coverage is not read from within
     if (!gl_FrontFacing && material.transmission.y >= 0.0) alpha = material.transmission.y;
     // Out of the solid on both its sides, and not turned to the viewer: rays inside come from elsewhere.
     vec3 n = surfaceNormal(true);
     outTexel = uvec4(floatBitsToUint(gl_FragCoord.z), packSnorm2x16(octEncode(n)), packHalf2x16(vec2(alpha, 0.0)), objectId());
+    if (facesDiffer) {
+        outTexel.z |= packInteriorTint(sqrt(s.baseColor));
+        outTexel.w |= packInteriorClear(s.transmission * (1.0 - s.metallic));
+    }
 }

@@ -80,11 +80,12 @@ vec3 surroundingIrradiance(vec3 p, vec3 n) {
         CosineShare met = next.met;
         NeighbourData o = neighbours.each[i];
         float own = ownShare(c, met.share);
-        sum += (c.before + through) * own * neighbourRadiance(o, p + met.at, -met.towards, met.n, met.spread, 1.0 - met.share);
+        vec3 arrives = c.before + through; // past all before this one, or through their glass
+        sum += arrives * own * neighbourRadiance(o, p + met.at, -met.towards, met.n, met.spread, 1.0 - met.share);
         mean -= c.before.y * own * mix(1.0, capMean(met.sin2), max(dot(met.towards, n), 0.0)) * met.towards;
         through *= 1.0 - own;
         if (isGlass(o)) {
-            vec3 passed = c.before * own * passedBy(o, 0.75); // the mean cosine at a ball
+            vec3 passed = arrives * own * passedBy(o, 0.75); // the mean cosine at a ball
             through += passed;
             throughMean += passed.y * met.towards;
         }

@@ -4,6 +4,7 @@
 // Returns  refractiveColor: radiance, premultiplied by the coverage in w. base: surfaceBaseColor().
 #include "stages/glass_material.glsl"
 #include "stages/thin_wall.glsl"
+#include "stages/glass_far_face.glsl"
 #include "stages/glass_partly_clear.glsl"
 #include "stages/importance.glsl"
 #include "stages/importance_glass.glsl"
@@ -17,10 +18,16 @@ vec4 refractiveColor(vec4 base) {
     Surface s = readSurface(base);
     // A base colour tints what passes once: its root at each face of a solid.
     bool twice = fromOutside();
-    vec3 tint = transmissionTint(s);
-    if (!twice) tint = throughShare(s) * sqrt(s.baseColor);
-    // The far face is clear by the same share.
-    float clear = transmission == 2 && twice ? throughShare(s) : 1.0;
+    FarFace near;
+    near.tint = sqrt(s.baseColor);
+    near.clear = transmission == 2 ? throughShare(s) : 1.0;
+    vec3 entry = throughShare(s) * near.tint;
+    if (!twice) {
+        near.tint = vec3(1.0);
+        near.clear = 1.0;
+    }
+    vec3 tint = entry * near.tint; // where the faces are alike
+    float clear = near.clear;
     vec3 radiance = s.emissive;
     float ior = glassIor();
     MirrorLobes mirror = noMirror(s);
@@ -55,18 +62,17 @@ vec4 refractiveColor(vec4 base) {
             lobes.core.lobe.turn = turnOverPixel(lobes.core.lobe.direction);
             lobes.rest.lobe.turn = lobes.core.lobe.turn;
             lobes.reflectedInside.lobe.turn = turnOverPixel(lobes.reflectedInside.lobe.direction);
-            if (clear < 1.0) {
-                vec3 energy = energyOf(lobes);
-                lobes = throughClearShare(lobes, clear);
-                energy -= energyOf(lobes);
-                radiance += mask * tint * energy * baseWithin(s.baseColor, clear, own) * wideRadiance(s.n);
+            FarFace first = near;
+            FarFace last = near;
+            if (facesDiffer && twice) {
+                first = farFaceAt(lobes.core.lobe.origin, near);
+                last = farFaceAt(lobes.reflectedInside.lobe.origin, near);
             }
-            lobes.core.weight *= tint;
-            lobes.rest.weight *= tint;
-            lobes.reflectedInside.weight *= tint;
-            lobes.residual.weight *= tint;
+            if (facesDiffer || clear < 1.0)
+                radiance += mask * tint * baseSeenWithin(lobes, near, first, last, own) * wideRadiance(s.n);
+            lobes = throughFarFaces(lobes, entry, first, last);
             if (method >= 100 && twice && !(lobes.within >= 0.0)) {
-                radiance += mask * tint * clear * sampledGlass(s, own, lobes, method - 100);
+                radiance += mask * entry * first.tint * first.clear * sampledGlass(s, own, lobes, method - 100);
                 lobes.core.weight = vec3(0.0);
             }
             radiance += mask * glassRadiance(lobes, reflected);

@@ -471,6 +471,24 @@ TEST(needs, a_map_that_cannot_matter_is_not_uploaded) {
   EXPECT_EQ(maps(square_with_map(unlit(glm::vec3(1)), &scene::Material::base_color_map)), 1u);
 }
 
+TEST(needs, a_map_on_a_fifth_set_of_coordinates_is_named) {
+  scene::Scene scene = square_with_map(dielectric(0.5f), &scene::Material::base_color_map);
+  scene::Material& m = scene.materials[0];
+  m.name.clear();
+  m.emissive = glm::vec3(1.0f);
+  m.metallic = 0.5f;
+  scene.meshes[0].primitives[0].uvs.resize(5, scene.meshes[0].primitives[0].uvs[0]);
+  int set = 0;
+  for (scene::Slot* const slot : {&m.base_color_map, &m.metallic_roughness_map, &m.occlusion_map,
+                                  &m.specular_map, &m.emissive_map})
+    *slot = {.texture = 0, .uv_set = set++};
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(needs::needs_of(scene, view()).draws.all[0].maps.size(), 4u);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("materials[0] reads more than 4"), std::string::npos) << said;
+  EXPECT_NE(said.find("TEXCOORD_"), std::string::npos) << said;
+}
+
 TEST(needs, every_table_that_is_listed_is_there) {
   scene::Scene scene = box(glass(0.3f));
   for (const Method method : {Method::standard, Method::lobes1, Method::lobes2})

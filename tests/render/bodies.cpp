@@ -42,6 +42,20 @@ Traced traced(const scene::Scene& scene, const glm::vec3& radiance, const scene:
 
 constexpr double sigmas = 4.0;
 
+// The lower half of a ball as a material of its own, the second.
+scene::Scene in_halves(const scene::Scene& whole) {
+  scene::Scene parts = whole;
+  const scene::Indices all = parts.indices[0];
+  const auto half = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 6 * 3);
+  parts.indices[0] = scene::Indices(all.begin(), half);
+  parts.indices.push_back(scene::Indices(half, all.end()));
+  parts.materials.push_back(parts.materials[0]);
+  parts.meshes[0].primitives.push_back(parts.meshes[0].primitives[0]);
+  parts.meshes[0].primitives[1].indices = 1;
+  parts.meshes[0].primitives[1].material = 1;
+  return parts;
+}
+
 } // namespace
 
 TEST_P(Render, partly_clear_solids_show_what_the_path_tracer_finds) {
@@ -68,17 +82,8 @@ TEST_P(Render, partly_clear_solids_show_what_the_path_tracer_finds) {
 }
 
 TEST_P(Render, a_body_of_two_materials_is_drawn_as_one) {
-  // The lower half of a ball as a material of its own: the same picture.
   const scene::Scene whole = ball(glass(0.3f));
-  scene::Scene parts = whole;
-  const scene::Indices all = parts.indices[0];
-  const auto half = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 6 * 3);
-  parts.indices[0] = scene::Indices(all.begin(), half);
-  parts.indices.push_back(scene::Indices(half, all.end()));
-  parts.materials.push_back(parts.materials[0]);
-  parts.meshes[0].primitives.push_back(parts.meshes[0].primitives[0]);
-  parts.meshes[0].primitives[1].indices = 1;
-  parts.meshes[0].primitives[1].material = 1;
+  const scene::Scene parts = in_halves(whole);
   const frame::FrameDesc desc = from({0, 1.5f, 4});
   const environment::Map sky = environment_of(
       128, [](const glm::dvec3& d) { return glm::dvec3(1.0 + d.y, 1.0 + d.x, 1.0 - d.z); });
@@ -87,6 +92,40 @@ TEST_P(Render, a_body_of_two_materials_is_drawn_as_one) {
   constexpr double rounded_normals = 0.02;
   for (std::size_t i = 0; i < one.values.size(); ++i)
     ASSERT_NEAR(two.values[i], one.values[i], rounded_normals) << "value " << i;
+}
+
+TEST_P(Render, the_far_side_of_a_body_shows_its_own_colour) {
+  // Red glass behind clear glass; then paint.
+  constexpr double frames_own = 0.035; // see above
+  for (const float transmission : {1.0f, 0.0f}) {
+    scene::Scene scene = in_halves(ball(glass(0.0f)));
+    scene.materials[1].base_color = glm::vec4(0.9f, 0.2f, 0.1f, 1.0f);
+    scene.materials[1].transmission = transmission;
+    const frame::FrameDesc desc = from({0, 4, 1});
+    const image::Image picture = draw(scene, {environment::constant(glm::vec3(1.0f)), desc});
+    for (const int x : {middle, middle + 12}) {
+      const Traced truth = traced(scene, glm::vec3(1.0f), desc.camera, x, middle, 2000);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(picture.at(x, middle, c), truth.mean[c], frames_own + sigmas * truth.error)
+            << "transmission " << transmission << ", x " << x << ", channel " << c;
+    }
+  }
+}
+
+TEST_P(Render, light_passes_one_pane_of_glass_after_another) {
+  scene::Material pane = glass(0.0f);
+  pane.thickness = 0.0f;
+  pane.double_sided = true; // light comes from behind it too
+  scene::Scene scene = square(dielectric(1.0f));
+  scene.instances[0].world = glm::scale(glm::mat4(1.0f), glm::vec3(3.0f));
+  for (int k = 1; k <= 6; ++k)
+    add(scene, square(pane),
+        glm::translate(glm::mat4(1.0f), {0, 0, 0.05f * static_cast<float>(k)}));
+  const frame::FrameDesc desc = from({0, 0, 6});
+  const image::Image picture = draw(scene, {environment::constant(glm::vec3(1.0f)), desc});
+  const Traced truth = traced(scene, glm::vec3(1.0f), desc.camera, middle, middle, 4000);
+  constexpr double frames_own = 0.05; // form factors; light between the panes is left out
+  EXPECT_NEAR(picture.at(middle, middle, 1), truth.mean.y, frames_own + sigmas * truth.error);
 }
 
 TEST_P(Render, alpha_says_once_whether_a_body_is_there) {

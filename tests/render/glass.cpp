@@ -367,6 +367,28 @@ TEST_P(Render, a_smooth_thin_wall_shows_the_pixel_behind_it) {
   }
 }
 
+// Each shows the one behind it, however many there are.
+TEST_P(Render, forty_thin_panes_tint_forty_times) {
+  scene::Material wall = glass(0.0f, 1.1f);
+  wall.thickness = 0.0f;
+  wall.base_color = glm::vec4(0.98f, 1.0f, 0.99f, 1.0f);
+  for (const bool both_sides : {false, true}) {
+    wall.double_sided = both_sides;
+    scene::Scene scene = square(unlit(glm::vec3(1.0f)));
+    scene.instances[0].world = placed({0, 0, -1}, glm::vec3(3.0f));
+    for (int k = 0; k < 40; ++k)
+      add(scene, square(wall), placed({0, 0, 0.02f * static_cast<float>(k)}, glm::vec3(1.0f)));
+    const image::Image picture = draw(scene, {std::nullopt, from({0, 0, 3})});
+    const double f = 0.1 * 0.1 / (2.1 * 2.1);    // of a face
+    const double passes = (1.0 - f) / (1.0 + f); // of a wall, all orders
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(picture.at(size / 2, size / 2, c),
+                  std::pow(passes * static_cast<double>(wall.base_color[c]), 40.0),
+                  static_cast<double>(table_interpolation))
+          << c;
+  }
+}
+
 // Under a bright disc of 20 degrees about the camera's own direction, and nothing else: what both faces reflect, sharp.
 TEST_P(Render, light_reflected_at_the_far_face_leaves_by_the_near_one_unblurred) {
   const auto disc = environment_of(512, [](const glm::dvec3& d) {
