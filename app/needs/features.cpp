@@ -162,10 +162,11 @@ Features features_of(const scene::Scene& scene, const Material& m, const Primiti
             scene.materials, [&](const Material& other) { return &other == &m; });
         std::string name(map->name); // glTF's, but for the last word
         name.replace(name.rfind("Map"), 3, "Texture");
-        note(fmt::format("materials[{}]{} reads more than {} sets of texture coordinates: its {}, on "
-                         "TEXCOORD_{}, is not drawn (truth has it)",
-                         number - scene.materials.begin(), m.name.empty() ? "" : " ('" + m.name + "')",
-                         max_uv_sets, name, uv_set));
+        note(fmt::format(
+            "materials[{}]{} reads more than {} sets of texture coordinates: its {}, on "
+            "TEXCOORD_{}, is not drawn (truth has it)",
+            number - scene.materials.begin(), m.name.empty() ? "" : " ('" + m.name + "')",
+            max_uv_sets, name, uv_set));
         continue;
       }
       found = sets.insert(sets.end(), uv_set);
