@@ -11,6 +11,7 @@
 #include "frame/display.h"
 #include "frame/renderer.h"
 #include "image/image.h"
+#include "needs/left_out.h"
 #include "scene/framing.h"
 #include "scene/origin.h"
 #include "scene/undrawn.h"
@@ -123,6 +124,8 @@ void check(const Options& o) {
   if (o.frames < 0) throw Error(ExitCode::usage, "--frames", "must be 0 or more");
   if (!std::isfinite(o.exposure))
     throw Error(ExitCode::usage, "--exposure", "must be a finite number of stops");
+  needs::left_out(o.method.without);
+  background_of(o.scene);
   if (o.method.smith != "separable" && o.method.smith != "correlated")
     throw Error(ExitCode::usage, "--smith", "'" + o.method.smith + "' is not known",
                 "Choose separable or correlated.");
@@ -141,7 +144,9 @@ frame::FrameDesc description(const Options& o, Size size, const NamedMethod& met
           .camera = {},
           .method = method.method,
           .correlated_smith = o.method.smith == "correlated",
-          .multiple_scattering = o.method.multiscatter};
+          .multiple_scattering = o.method.multiscatter,
+          .without = needs::left_out(o.method.without),
+          .background = background_of(o.scene)};
 }
 
 frame::EnvironmentView lighting(const Options& o, const environment::Stack& stack) {
@@ -233,9 +238,10 @@ void capture_sequence(Options o) {
   say_undrawn(o, scene);
   const std::vector<SequenceFrame> frames = frames_of(o.sequence, *scene.posed);
   begin_sequence(o.sequence, o.scene,
-                 fmt::format("{} {} {} {} {} {} {}", method.name, o.method.smith,
+                 fmt::format("{} {} {} {} {} {} {}{}", method.name, o.method.smith,
                              o.method.multiscatter, o.method.samples, o.device.backend, o.exposure,
-                             o.tonemap));
+                             o.tonemap,
+                             o.method.without.empty() ? "" : " without " + o.method.without));
   // A camera that is framed by what it sees would move with it: the first frame's stays.
   const scene::Camera framed = choose_camera(o.scene, scene, size);
   const bool stays = camera_is_framed(o.scene, scene);
@@ -277,6 +283,7 @@ void add_capture(Command program) {
   auto options = std::make_shared<Options>();
   Command command = program.subcommand("capture", "Draw a scene into a picture file");
   add_options(command, options->scene);
+  add_background(command, options->scene);
   command.option(
       "-o,--output", &options->out,
       "Picture to write: .png, .jpg, .exr, .hdr or .pfm; - for standard output, as .png");

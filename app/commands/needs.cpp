@@ -1,4 +1,5 @@
 // groundglass needs: what drawing a scene takes, without drawing it.
+#include "needs/left_out.h"
 #include "needs/needs.h"
 
 #include "commands/commands.h"
@@ -39,7 +40,9 @@ void print(const Options& o) {
                    .samples = o.method.samples,
                    .method = method,
                    .correlated_smith = o.method.smith == "correlated",
-                   .multiple_scattering = o.method.multiscatter};
+                   .multiple_scattering = o.method.multiscatter,
+                   .environment = {},
+                   .without = needs::left_out(o.method.without)};
   if (const auto map = load_environment(o.scene, scene))
     view.environment = environment::bytes_of(*map);
   const needs::Needs needs = needs::needs_of(scene, view);

@@ -80,6 +80,11 @@ void add_view_options(Command command, SceneOptions& o) {
                  "With --eye: an orthographic camera that sees so many metres from top to bottom");
 }
 
+void add_background(Command command, SceneOptions& o) {
+  command.option("--background", &o.background,
+                 "What is behind everything: sharp, the environment itself; blurred; or a colour R,G,B");
+}
+
 void add_options(Command command, DeviceOptions& o) {
   command.option("--backend", &o.backend, "opengl, vulkan, or auto: the first that works");
   command.option("--surface", &o.surface, "egl or osmesa (OpenGL only)");
@@ -95,6 +100,8 @@ void add_options(Command command, MethodOptions& o) {
   command.option("--samples", &o.samples, "Sub-pixel samples averaged: antialiasing");
   command.option("--smith", &o.smith, "Shadowing: separable (Walter 2007) or correlated");
   command.flag("--multiscatter", o.multiscatter, "Give back the energy of multiple scattering");
+  command.option("--without", &o.without,
+                 "Draw without features, named as `needs` names them: 'normal map,dispersion,neighbours'");
 }
 
 Size parse_size(const std::string& text) {
@@ -189,6 +196,21 @@ std::optional<environment::Map> load_environment(const SceneOptions& options,
   return environment::load(*environment_file(options));
 }
 
+frame::Background background_of(const SceneOptions& o) {
+  // Of the Gaussian that blurs it: what is smaller than some ten degrees is gone.
+  constexpr float blurred = 0.15f;
+  if (o.background == "sharp") return {};
+  if (o.env == "none")
+    throw Error(ExitCode::usage, "--background", "is given with --env none",
+                "It takes the environment's place: leave one of them out.");
+  if (o.background == "blurred") return {.sigma = blurred, .plain = {}};
+  const auto color = as_vec3(o.background);
+  if (!color) refuse("--background", o.background, "Write sharp, blurred, or a colour: 0.2,0.2,0.2.");
+  if (glm::any(glm::lessThan(*color, glm::vec3(0.0f))))
+    refuse("--background", o.background, "Radiance is not negative.");
+  return {.sigma = 0.0f, .plain = color};
+}
+
 std::optional<std::filesystem::path> environment_file(const SceneOptions& options) {
   if (options.env == "none" || as_vec3(options.env)) return std::nullopt;
   return find_environment(options.env.empty() ? "royal_esplanade" : options.env);
@@ -237,6 +259,7 @@ std::string typed_view(const SceneOptions& o) {
   add("--env", o.env, defaults.env);
   add("--env-rotation", fmt::format("{}", o.env_rotation), "0");
   add("--env-intensity", fmt::format("{}", o.env_intensity), "1");
+  add("--background", o.background, defaults.background);
   add("--size", o.size, defaults.size);
   add("--camera", o.camera, defaults.camera);
   add("--eye", o.eye, defaults.eye);

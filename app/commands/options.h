@@ -3,6 +3,7 @@
 
 #include "commands/command_line.h"
 #include "environment/map.h"
+#include "frame/frame_desc.h"
 #include "gpu/device.h"
 #include "needs/features.h"
 #include "scene/scene.h"
@@ -25,6 +26,7 @@ struct SceneOptions {
   std::string env;           // a file, a name, `none`, a colour "R,G,B", or empty: the default
   float env_rotation = 0.0f; // degrees
   float env_intensity = 1.0f;
+  std::string background = "sharp"; // of commands that have add_background()
   std::string size = "1280x720";
   std::string camera; // name or index
   std::string eye, target, up = "0,1,0";
@@ -40,6 +42,7 @@ struct DeviceOptions {
 struct MethodOptions {
   std::string method = "lobes2", smith = "separable";
   bool multiscatter = false;
+  std::string without; // names of needs/left_out.h with commas between them
   int samples = 16;
   std::optional<double> budget, max_error; // ms; relMSE: of --method auto
 };
@@ -47,6 +50,7 @@ struct MethodOptions {
 void add_options(Command command, SceneOptions& options);
 // The same without SCENE, for commands that take several scenes.
 void add_view_options(Command command, SceneOptions& options);
+void add_background(Command command, SceneOptions& options);
 void add_options(Command command, DeviceOptions& options);
 void add_options(Command command, MethodOptions& options);
 
@@ -69,6 +73,8 @@ scene::Camera choose_camera(const SceneOptions& options, const scene::Scene& sce
 // Nothing if the scene is lit by its own lights alone.
 std::optional<environment::Map> load_environment(const SceneOptions& options,
                                                  const scene::Scene& scene);
+// Throws Error(usage) if it is not understood, or if there is no environment to replace.
+frame::Background background_of(const SceneOptions& options);
 std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options);
 
 // What --env means: a file, or nothing for `none` and a colour.

@@ -110,7 +110,8 @@ std::map<std::string, std::string> settings_of(const Options& o, const scene::Ca
   std::string materials;
   for (const std::string& material : o.scene.materials)
     materials += (materials.empty() ? "" : " ") + material;
-  return {{"scene", o.scene.scene},
+  std::map<std::string, std::string> settings = {
+          {"scene", o.scene.scene},
           {"materials", materials},
           {"environment", o.scene.env.empty() ? "default" : o.scene.env},
           {"environmentRotation", fmt::format("{}", o.scene.env_rotation)},
@@ -121,6 +122,8 @@ std::map<std::string, std::string> settings_of(const Options& o, const scene::Ca
           {"scattering", o.multiscatter ? "multiple" : "single"},
           {"clamp", o.clamp ? fmt::format("{}", *o.clamp) : ""},
           {"transport", o.surface_only ? "surface only" : "full"}};
+  if (o.scene.background != SceneOptions{}.background) settings["background"] = o.scene.background;
+  return settings;
 }
 
 truth::Film film_of(const Options& o, const std::map<std::string, std::string>& settings,
@@ -197,6 +200,7 @@ void trace(Options o) {
   check(o);
   const frame::ToneMap tone_map = frame::parse_tone_map(o.tonemap);
   const Size size = parse_size(o.scene.size);
+  const frame::Background background = background_of(o.scene);
   scene::Scene scene = load_scene(o.scene);
   scene::Camera view = choose_camera(o.scene, scene, size);
   const auto settings = settings_of(o, view);
@@ -215,7 +219,10 @@ void trace(Options o) {
       {.smith = o.smith == "correlated" ? truth::Smith::correlated : truth::Smith::separable,
        .transport = o.surface_only ? truth::Transport::surface_only : truth::Transport::full,
        .multiple_scattering = o.multiscatter,
-       .clamp = o.clamp.value_or(INFINITY)});
+       .clamp = o.clamp.value_or(INFINITY),
+       .background = {.sigma = static_cast<double>(background.sigma),
+                      .plain = background.plain ? std::optional(glm::dvec3(*background.plain))
+                                                : std::nullopt}});
 
   const truth::RenderDesc desc{.seed = o.seed,
                                .samples = o.spp.value_or(o.error ? most_spp : default_spp),
@@ -292,6 +299,7 @@ void add_truth(Command program) {
   Command command =
       program.subcommand("truth", "Path trace the scene, until its error is small enough");
   add_options(command, options->scene);
+  add_background(command, options->scene);
   command
       .option("-o,--output", &options->out,
               "Picture to write: .exr (radiance, error, object ids), .png (for display), or one of "

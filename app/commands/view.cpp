@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "frame/display.h"
+#include "needs/left_out.h"
 #include "scene/undrawn.h"
 #include "viewer/viewer.h"
 
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <set>
 #include <sstream>
 
 namespace gg::commands {
@@ -45,6 +47,7 @@ SceneOptions options_of(const viewer::View& view, int width, int height) {
   o.env = view.env;
   o.env_rotation = view.env_rotation;
   o.env_intensity = view.env_intensity;
+  o.background = view.background;
   o.size = fmt::format("{}x{}", width, height);
   if (!view.place) {
     o.camera = view.camera;
@@ -64,13 +67,16 @@ std::string words(const DeviceOptions& device, const std::string& command, const
                   int width, int height, const std::string& output) {
   std::string line = command + " " + in_shell(view.scene);
   if (!output.empty()) line += " -o " + in_shell(output);
-  line += typed_view(options_of(view, width, height));
+  SceneOptions scene = options_of(view, width, height);
+  if (command == "report") scene.background = SceneOptions{}.background; // it knows no other
+  line += typed_view(scene);
   const MethodOptions usual;
   if (view.smith != usual.smith) line += " --smith " + view.smith;
   if (view.multiscatter) line += " --multiscatter";
   if (command == "capture") {
     if (device.backend != DeviceOptions{}.backend) line += " --backend " + device.backend;
     if (view.method != usual.method) line += " --method " + view.method;
+    if (!view.without.empty()) line += " --without " + in_shell(view.left_out());
     if (view.samples != usual.samples) line += fmt::format(" --samples {}", view.samples);
     if (view.exposure != 0.0f) line += fmt::format(" --exposure {}", view.exposure);
     if (view.tonemap != "neutral") line += " --tonemap " + view.tonemap;
@@ -94,6 +100,9 @@ viewer::Commands commands_of(const DeviceOptions& device) {
   };
   commands.camera = [](const viewer::View& view, const scene::Scene& scene, int width, int height) {
     return choose_camera(options_of(view, width, height), scene, {width, height});
+  };
+  commands.background = [](const viewer::View& view) {
+    return background_of(options_of(view, 1, 1));
   };
   commands.method = parse_method;
   for (const NamedMethod& method : methods())
@@ -159,8 +168,23 @@ void check(const Options& o) {
     throw Error(ExitCode::usage, "--surface", "is of pictures without a window", "Leave it out.");
   frame::parse_tone_map(o.tonemap);
   parse_method(o.method.method);
+  if (!o.settings.second.empty()) {
+    find_method(o.settings.second, "--second");
+    if (o.settings.truth > 0)
+      throw Error(ExitCode::usage, "--second", "is given with --truth", "Choose one: it stands in its place.");
+  }
+  needs::left_out(o.method.without);
+  background_of(o.scene);
   if (!o.json.empty()) check_json(o.json);
   if (!o.settings.screenshot_window.empty()) OutputFile probe(o.settings.screenshot_window);
+}
+
+std::set<std::string> names_of(const std::string& list) {
+  std::set<std::string> names;
+  std::istringstream in(list);
+  for (std::string name; std::getline(in, name, ',');)
+    names.insert(name);
+  return names;
 }
 
 void view(Options o) {
@@ -177,11 +201,13 @@ void view(Options o) {
                    .env = o.scene.env,
                    .env_rotation = o.scene.env_rotation,
                    .env_intensity = o.scene.env_intensity,
+                   .background = o.scene.background,
                    .camera = o.scene.camera,
                    .place = place_of(o.scene),
                    .method = o.method.method,
                    .smith = o.method.smith,
                    .multiscatter = o.method.multiscatter,
+                   .without = names_of(o.method.without),
                    .samples = o.method.samples,
                    .exposure = o.exposure,
                    .tonemap = o.tonemap};
@@ -218,6 +244,7 @@ void add_view(Command program) {
   command.option("SCENE", &options->scene.scene,
                  "A glTF 2.0 file, .gltf or .glb; without one, the demo");
   add_view_options(command, options->scene);
+  add_background(command, options->scene);
   add_options(command, options->device);
   add_options(command, options->method);
   viewer::Settings& settings = options->settings;
@@ -236,10 +263,13 @@ void add_view(Command program) {
                  "With --screenshot-window: pick the object of this name");
   command.option(
       "--debug-view", &options->debug_view,
-      "In the picture's place: normals, depth, 'interior layers' or 'path length inside'");
+      "In the picture's place: normals, depth, 'interior layers', 'path length inside', 'sigma in pixels', 'screen share' or "
+      "samples");
   command.option("--inspect", &options->inspect,
                  "Show the lobes at this place of the picture, X,Y from 0,0, its top left, to 1,1");
   command.option("--truth", &settings.truth, "Begin with the truth, of so many samples per pixel");
+  command.option("--second", &settings.second,
+                 "Begin with the picture of another method in the truth's place");
   command.option("--compare", &settings.comparing,
                  "How it is shown: wipe, side-by-side, error or flip");
   command.action([options] { view(*options); });

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <future>
 
@@ -78,12 +79,19 @@ Blurred prepare_blurred(const StackPlan& plan) {
   return p;
 }
 
-class Builder {
+} // namespace
+
+class Building::Builder {
 public:
   Builder(gpu::Device& device, const Map& map);
-  Stack build(std::vector<gpu::PassTime>* times);
+  void build(std::vector<gpu::PassTime>* times);
+  bool advance();
+  double progress() const;
+  const Stack& stack() const { return stack_; }
 
 private:
+  void start_sharp();   // and work out what the others take meanwhile
+  void start_blurred();
   void create_cubes();
   void sharp(const Sharp& prepared);
   void blur(const Blurred& prepared);
@@ -113,9 +121,14 @@ private:
   Steps steps_;
   // In turn: what a step hands on to the next blur, radiance times weight and the weight.
   gpu::View handed_[2];
+  // Last: they read the map and the plan.
+  std::future<Sharp> for_sharp_;     // until they are taken
+  std::future<Blurred> for_blurred_;
+  std::size_t left_ = 0;             // steps, once all are known
+  bool done_ = false;
 };
 
-Builder::Builder(gpu::Device& device, const Map& map)
+Building::Builder::Builder(gpu::Device& device, const Map& map)
     : device_(device), map_(fitted(map)), plan_(plan_stack(map_)), face_(face_of(map_)),
       steps_(device) {
   stack_.sun = sun_of(map_);
@@ -123,14 +136,24 @@ Builder::Builder(gpu::Device& device, const Map& map)
   const float peak = *std::ranges::max_element(map_.rgb);
   stack_.unit =
       peak > 0.0f ? std::ldexp(1.0f, std::clamp(std::ilogb(peak) + 1 - 15, -120, 120)) : 1.0f;
+  const double sharpest = sharp_sigma(map_), first = even_sigma(face_ / 2);
+  stack_.shape = {std::sqrt(sharpest * sharpest + lookup_variance(face_)),
+                  // The mean of an even and an odd level's share, as one number stands for both.
+                  std::sqrt(first * first + 0.75 * lookup_variance(face_ / 2)),
+                  2 * (even_level_count(face_) - 1) - 1, stack_.unit};
+  device_.expect(std::array{pipeline_of("environment_equirect.comp"),
+                            pipeline_of("environment_blur.comp"),
+                            pipeline_of("environment_zonal.comp")});
+  for_sharp_ =
+      std::async(std::launch::async, prepare_sharp, std::cref(map_), std::cref(plan_), stack_.unit);
 }
 
-gpu::TextureRef Builder::cube(const std::string& label, int size, int level_count,
+gpu::TextureRef Building::Builder::cube(const std::string& label, int size, int level_count,
                               gpu::Format format) {
   return device_.create(cube_desc(map_.name + ": " + label, size, level_count, format));
 }
 
-gpu::View Builder::filled(const std::string& label, int width, int height, gpu::Format format,
+gpu::View Building::Builder::filled(const std::string& label, int width, int height, gpu::Format format,
                           std::span<const float> values) {
   const auto texture = device_.create(gpu::TextureDesc{.label = label,
                                                        .format = format,
@@ -141,7 +164,7 @@ gpu::View Builder::filled(const std::string& label, int width, int height, gpu::
   return gpu::whole(texture);
 }
 
-void Builder::create_cubes() {
+void Building::Builder::create_cubes() {
   const int even_levels = even_level_count(face_);
   stack_.even = cube("environment, even levels", face_, even_levels);
   stack_.odd = cube("environment, odd levels", face_ / 2, even_levels - 1);
@@ -151,7 +174,7 @@ void Builder::create_cubes() {
     view = gpu::whole(cube("weighted", face_ / 2, 1, gpu::Format::rgba32f));
 }
 
-void Builder::sharp(const Sharp& prepared) {
+void Building::Builder::sharp(const Sharp& prepared) {
   const EquirectLattice& lattice = prepared.lattice;
   steps_.add("environment: cube", compute("environment_equirect.comp"), plan_.sharp,
              {{"equirect",
@@ -162,7 +185,7 @@ void Builder::sharp(const Sharp& prepared) {
              groups(face_, quads_group));
 }
 
-void Builder::blur(const Blurred& prepared) {
+void Building::Builder::blur(const Blurred& prepared) {
   const gpu::PipelineRef pipeline = compute("environment_blur.comp");
   gpu::View next;
   for (std::size_t i = 0; i < plan_.blurs.size(); ++i) {
@@ -177,7 +200,7 @@ void Builder::blur(const Blurred& prepared) {
 }
 
 // The widest levels and the irradiance, over all pairs.
-void Builder::convolve(const Blurred& prepared) {
+void Building::Builder::convolve(const Blurred& prepared) {
   const gpu::PipelineRef pipeline = compute("environment_zonal.comp");
   const gpu::View kernels =
       filled("kernels", kernel_samples, static_cast<int>(prepared.pair_weights.size()),
@@ -199,30 +222,69 @@ void Builder::convolve(const Blurred& prepared) {
   pairs(plan_.irradiance_source, gpu::whole(stack_.irradiance), irradiance_face);
 }
 
-Stack Builder::build(std::vector<gpu::PassTime>* times) {
-  device_.expect(std::array{pipeline_of("environment_equirect.comp"),
-                            pipeline_of("environment_blur.comp"),
-                            pipeline_of("environment_zonal.comp")});
-  auto for_sharp =
-      std::async(std::launch::async, prepare_sharp, std::cref(map_), std::cref(plan_), stack_.unit);
+void Building::Builder::start_sharp() {
   create_cubes();
-  sharp(for_sharp.get());
-  auto for_blurred = std::async(std::launch::async, prepare_blurred, std::cref(plan_));
-  steps_.run(times);
-  const Blurred prepared = for_blurred.get();
-  blur(prepared);
-  convolve(prepared);
-  steps_.run(times);
-
-  const double sharpest = sharp_sigma(map_), first = even_sigma(face_ / 2);
-  stack_.shape = {std::sqrt(sharpest * sharpest + lookup_variance(face_)),
-                  // The mean of an even and an odd level's share, as one number stands for both.
-                  std::sqrt(first * first + 0.75 * lookup_variance(face_ / 2)),
-                  2 * (even_level_count(face_) - 1) - 1, stack_.unit};
-  return stack_;
+  sharp(for_sharp_.get());
+  for_blurred_ = std::async(std::launch::async, prepare_blurred, std::cref(plan_));
 }
 
-} // namespace
+void Building::Builder::start_blurred() {
+  const Blurred prepared = for_blurred_.get();
+  blur(prepared);
+  convolve(prepared);
+}
+
+void Building::Builder::build(std::vector<gpu::PassTime>* times) {
+  start_sharp();
+  steps_.run(times);
+  start_blurred();
+  steps_.run(times);
+}
+
+bool Building::Builder::advance() {
+  const auto ready = [](const auto& future) {
+    return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  };
+  if (for_sharp_.valid()) {
+    if (!ready(for_sharp_)) return false;
+    start_sharp();
+    steps_.run_one();
+  } else if (for_blurred_.valid()) {
+    if (!ready(for_blurred_)) return false;
+    start_blurred();
+    left_ = plan_.blurs.size() + plan_.wide.size() + 1;
+  } else if (!done_) {
+    left_ = steps_.run_one();
+    done_ = left_ == 0;
+  }
+  return done_;
+}
+
+// Each step counts alike: the sharp level, what the host works out, and the others.
+double Building::Builder::progress() const {
+  const double all = static_cast<double>(plan_.blurs.size() + plan_.wide.size() + 3);
+  if (done_) return 1.0;
+  if (for_sharp_.valid()) return 0.0;
+  if (for_blurred_.valid()) return 1.0 / all;
+  return 1.0 - static_cast<double>(left_) / all;
+}
+
+Building::Building(gpu::Device& device, const Map& map)
+    : builder_(std::make_unique<Builder>(device, map)) {}
+
+Building::~Building() = default;
+
+bool Building::advance() {
+  return builder_->advance();
+}
+
+double Building::progress() const {
+  return builder_->progress();
+}
+
+const Stack& Building::stack() const {
+  return builder_->stack();
+}
 
 std::vector<Level> levels(const Stack& stack) {
   const int face = stack.even->desc.width;
@@ -238,7 +300,9 @@ std::vector<Level> levels(const Stack& stack) {
 }
 
 Stack build(gpu::Device& device, const Map& map, std::vector<gpu::PassTime>* times) {
-  return Builder(device, map).build(times);
+  Building building(device, map);
+  building.builder_->build(times);
+  return building.stack();
 }
 
 std::size_t bytes_of(const Map& map) {

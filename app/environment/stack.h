@@ -7,6 +7,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <memory>
 #include <vector>
 
 namespace gg::environment {
@@ -37,6 +38,22 @@ std::vector<Level> levels(const Stack& stack); // by growing sigma
 // Computes the stack. Deterministic. With `times`, what each step took on the device is appended (which waits for it).
 // Throws Error(device) as the device does.
 Stack build(gpu::Device& device, const Map& map, std::vector<gpu::PassTime>* times = nullptr);
+
+// The same, a little at a time: for a window that goes on drawing meanwhile. On the device's thread.
+class Building {
+public:
+  Building(gpu::Device& device, const Map& map);
+  ~Building(); // waits for what other threads work out for it
+  // A step of the work on the device, or nothing while other threads are not ready for it. Returns whether all is done.
+  bool advance();
+  double progress() const;    // of the work, 0 to 1
+  const Stack& stack() const; // when all is done
+
+private:
+  class Builder;
+  friend Stack build(gpu::Device&, const Map&, std::vector<gpu::PassTime>*);
+  std::unique_ptr<Builder> builder_;
+};
 
 // Bytes of the cubes that build() leaves on a device.
 std::size_t bytes_of(const Map& map);

@@ -36,15 +36,34 @@ void Steps::add(const std::string& label, const gpu::PipelineRef& pipeline,
   passes_.push_back(std::move(pass));
 }
 
-void Steps::run(std::vector<gpu::PassTime>* times) {
+void Steps::upload_blocks() {
   std::vector<std::byte> bytes(values_.size() * gpu::block_alignment);
   for (std::size_t i = 0; i < values_.size(); ++i)
     std::memcpy(&bytes[i * gpu::block_alignment], &values_[i], sizeof(EnvironmentStep));
   blocks_ =
       device_.create(gpu::BufferDesc{"environment steps", bytes.size(), gpu::Use::uniforms}, bytes);
-  device_.run(passes_, times);
+}
+
+void Steps::clear() {
   passes_.clear();
   values_.clear();
+  blocks_.reset();
+  ran_ = 0;
+}
+
+void Steps::run(std::vector<gpu::PassTime>* times) {
+  if (!blocks_) upload_blocks();
+  device_.run(std::span(passes_).subspan(ran_), times);
+  clear();
+}
+
+std::size_t Steps::run_one() {
+  if (passes_.empty()) return 0;
+  if (!blocks_) upload_blocks();
+  device_.run(std::span(passes_).subspan(ran_, 1));
+  const std::size_t left = passes_.size() - ++ran_;
+  if (left == 0) clear();
+  return left;
 }
 
 } // namespace gg::environment

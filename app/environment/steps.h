@@ -20,15 +20,20 @@ public:
   // All six faces, so many groups along each edge. Textures are read texel by texel.
   void add(const std::string& label, const gpu::PipelineRef& pipeline, const EnvironmentStep& step,
            std::vector<Bound> textures, std::vector<Bound> images, int groups_per_edge);
-  // Those added since the last run.
+  // Those added and not run yet: all of them, or the first of them. Returns how many are left.
   void run(std::vector<gpu::PassTime>* times);
+  std::size_t run_one();
 
 private:
+  void upload_blocks();
+  void clear();
+
   gpu::Device& device_;
   gpu::SamplerRef point_;
-  gpu::BufferRef blocks_; // of the run that is being recorded
+  gpu::BufferRef blocks_; // of those that are being run; null: none is
   std::vector<EnvironmentStep> values_;
   std::vector<gpu::Pass> passes_;
+  std::size_t ran_ = 0; // of passes_
 };
 
 } // namespace gg::environment

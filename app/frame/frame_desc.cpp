@@ -15,7 +15,9 @@ needs::View view_of(const FrameDesc& desc) {
                    .samples = desc.samples,
                    .method = desc.method,
                    .correlated_smith = desc.correlated_smith,
-                   .multiple_scattering = desc.multiple_scattering};
+                   .multiple_scattering = desc.multiple_scattering,
+                   .environment = {},
+                   .without = desc.without};
   if (const environment::Stack* stack = desc.environment.stack)
     view.environment =
         bytes(stack->even->desc) + bytes(stack->odd->desc) + bytes(stack->irradiance->desc);
@@ -32,6 +34,8 @@ std::vector<uniforms::FrameData> frame_blocks(const FrameDesc& desc, const needs
   f.environment = {std::cos(desc.environment.rotation), std::sin(desc.environment.rotation),
                    desc.environment.intensity, 0.0f};
   if (desc.environment.stack) f.stack = desc.environment.stack->shape;
+  const Background& behind = desc.background;
+  f.background = behind.plain ? glm::vec4(*behind.plain, -1.0f) : glm::vec4(0, 0, 0, behind.sigma);
   if (desc.environment.stack && needs.proxies) {
     const environment::Sun& sun = desc.environment.stack->sun;
     const double c = std::cos(desc.environment.rotation), s = std::sin(desc.environment.rotation);

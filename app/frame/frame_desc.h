@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 #include "uniforms/blocks.h"
 
+#include <optional>
 #include <vector>
 
 namespace gg::environment {
@@ -25,6 +26,12 @@ struct EnvironmentView {
   float intensity = 1.0f; // factor on its radiance
 };
 
+// What the camera sees where nothing was drawn, and glass where it looks things up on the screen. Nothing else is lit by it.
+struct Background {
+  float sigma = 0.0f;             // radians, of a Gaussian over the environment; 0: as it is
+  std::optional<glm::vec3> plain; // radiance, in the environment's place
+};
+
 struct FrameDesc {
   int width = 1280, height = 720;
   int samples =
@@ -33,6 +40,8 @@ struct FrameDesc {
   EnvironmentView environment;
   Method method = Method::lobes1;
   bool correlated_smith = false, multiple_scattering = false;
+  needs::FeatureSet without;
+  Background background; // of frames that have an environment
 };
 
 // What a scene's needs depend on.

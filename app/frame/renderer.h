@@ -34,6 +34,11 @@ public:
   void materials_changed() { scene_changed(), set(desc_); }
   // Before set(): the scene's instances and lights have been moved, or materials bound other volumes than before.
   void scene_changed() { shapes_.scene_changed(); }
+  // The same where vertices have moved too: meshes are uploaded again.
+  void geometry_changed() {
+    shapes_.geometry_changed();
+    uploaded_.forget_geometry();
+  }
   void forget_pipelines() { draws_.forget(); } // before set(): shaders have changed
 
   // Draws the frame. With `times`, adds what each pass took, summed over the samples, under its

@@ -27,6 +27,8 @@ public:
   // Uploads what is not there yet; `needs` must outlive this or the next call.
   void set(const needs::Needs& needs);
 
+  void forget_geometry() { streams_.clear(), indices_.clear(); } // before set(): meshes have changed
+
   const needs::Needs& needs() const { return *needs_; }
   // Of what the needs list.
   const gpu::BufferRef& stream(scene::Index i) const { return streams_.at(i); }

@@ -50,12 +50,14 @@ bool is_all_glass(const Material& m) {
 }
 
 // Over opaque surfaces, and over the outside of glass that is not a wall of no thickness.
-bool has_coat(const Material& m) {
-  return m.clearcoat > 0.0f && transmission_of(m) == Transmission::none;
+bool has_coat(const Material& m, const FrameFeatures& frame) {
+  return m.clearcoat > 0.0f && transmission_of(m) == Transmission::none
+         && !has(frame.without, Feature::clearcoat);
 }
 
 // A film on the substrate's reflection; glass is drawn without, as its tables have Fresnel's factor in them.
-bool has_film(const Material& m) {
+bool has_film(const Material& m, const FrameFeatures& frame) {
+  if (has(frame.without, Feature::iridescence)) return false;
   const float thickest = m.iridescence_thickness_map
                              ? std::max(m.iridescence_thickness.x, m.iridescence_thickness.y)
                              : m.iridescence_thickness.y;
@@ -63,9 +65,9 @@ bool has_film(const Material& m) {
 }
 
 // Alpha is 0 everywhere: a map scales roughness, so that one of 0 stays.
-bool is_smooth(const Material& m, int brushed) {
+bool is_smooth(const Material& m, int brushed, bool coated) {
   if (brushed > 0) return false;
-  if (has_coat(m) && m.clearcoat_roughness > 0.0f) return false; // tables are read
+  if (coated && m.clearcoat_roughness > 0.0f) return false; // tables are read
   return scene::microfacet_alpha(m) == 0.0f && m.back_alpha.value_or(0.0f) == 0.0f;
 }
 
@@ -90,12 +92,12 @@ bool matters(const MapKind& map, const Material& m, Shading shading, const Frame
     return transmission_of(m) == Transmission::solid;
   case Feature::clearcoat_map:
   case Feature::clearcoat_normal_map:
-    return has_coat(m);
+    return has_coat(m, frame);
   case Feature::clearcoat_roughness_map:
-    return has_coat(m) && m.clearcoat_roughness > 0.0f;
+    return has_coat(m, frame) && m.clearcoat_roughness > 0.0f;
   case Feature::iridescence_map:
   case Feature::iridescence_thickness_map:
-    return has_film(m);
+    return has_film(m, frame);
   default:
     return true;
   }
@@ -108,12 +110,14 @@ std::vector<const MapKind*> maps_of(const scene::Scene& scene, const Material& m
   for (const MapKind& map : map_kinds) {
     const Slot& slot = m.*map.slot;
     if (!has_uv_set(slot, primitive) || !has_image(scene, slot)) continue;
+    if (has(frame.without, map.feature)) continue;
     if (map.feature != Feature::base_color_map && shading == Shading::unlit) continue;
     const bool bends = map.feature == Feature::normal_map
                        || map.feature == Feature::clearcoat_normal_map
                        || map.feature == Feature::anisotropy_map;
     if (bends && primitive.tangents == scene::none) continue;
     if (map.feature == Feature::anisotropy_map ? anisotropy_lobes(m, primitive) > 0
+                                                     && !has(frame.without, Feature::anisotropy)
                                                : matters(map, m, shading, frame))
       maps.push_back(&map);
   }
@@ -177,7 +181,8 @@ Features features_of(const scene::Scene& scene, const Material& m, const Primiti
   set(Feature::shading, shading);
   set(Feature::uv_sets, sets.size());
   set(Feature::alpha_mode, m.alpha_mode);
-  if (primitive.colors != scene::none) set(Feature::vertex_color, true);
+  const auto uses = [&](Feature feature) { return !has(frame.without, feature); };
+  if (primitive.colors != scene::none) set(Feature::vertex_color, uses(Feature::vertex_color));
   if (shading == Shading::unlit) return features;
 
   set(Feature::distribution, m.distribution);
@@ -185,11 +190,12 @@ Features features_of(const scene::Scene& scene, const Material& m, const Primiti
   set(Feature::correlated_smith,
       frame.correlated_smith && m.distribution == scene::Distribution::ggx);
   set(Feature::method, frame.method);
-  const int brushed = anisotropy_lobes(m, primitive);
+  const int brushed = uses(Feature::anisotropy) ? anisotropy_lobes(m, primitive) : 0;
   set(Feature::anisotropy, brushed);
-  set(Feature::clearcoat, has_coat(m));
-  set(Feature::iridescence, has_film(m));
-  set(Feature::smooth, is_smooth(m, brushed));
+  const bool coated = has_coat(m, frame);
+  set(Feature::clearcoat, coated);
+  set(Feature::iridescence, has_film(m, frame));
+  set(Feature::smooth, is_smooth(m, brushed, coated));
   set(Feature::environment, frame.environment);
   set(Feature::lights, frame.lights);
   set(Feature::multiple_scattering, frame.multiple_scattering);
@@ -203,8 +209,9 @@ Features features_of(const scene::Scene& scene, const Material& m, const Primiti
     set(Feature::transmission, transmission);
     // Peers' method asks for no index.
     set(Feature::index_one, m.ior == 1.0f && frame.method != Method::standard);
-    set(Feature::dispersion, m.dispersion > 0.0f);
-    if (transmission == Transmission::solid) set(Feature::attenuation, absorbs(m));
+    set(Feature::dispersion, m.dispersion > 0.0f && uses(Feature::dispersion));
+    if (transmission == Transmission::solid)
+      set(Feature::attenuation, absorbs(m) && uses(Feature::attenuation));
   }
   return features;
 }

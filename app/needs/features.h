@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <vector>
 
@@ -29,13 +30,6 @@ inline constexpr int first_fis = 100;
 constexpr Method fis(int n) {
   return static_cast<Method>(first_fis + n);
 }
-
-// What the frame as a whole asks of every draw.
-struct FrameFeatures {
-  Method method = Method::lobes1;
-  bool correlated_smith = false, multiple_scattering = false;
-  bool environment = true, lights = false;
-};
 
 // The numbers of the constants, in the order of material_features.glsl.
 enum class Feature : std::uint32_t {
@@ -83,6 +77,19 @@ enum class Feature : std::uint32_t {
   faces_differ, // base colour or clear share vary over the faces of a solid
   count
 };
+using FeatureSet = std::bitset<static_cast<std::size_t>(Feature::count)>;
+inline bool has(const FeatureSet& set, Feature feature) {
+  return set[static_cast<std::size_t>(feature)];
+}
+
+// What the frame as a whole asks of every draw.
+struct FrameFeatures {
+  Method method = Method::lobes1;
+  bool correlated_smith = false, multiple_scattering = false;
+  bool environment = true, lights = false;
+  FeatureSet without; // of those of left_out.h
+};
+
 enum class Shading { unlit, dielectric, metal, mixed, conductor };
 enum class Transmission { none, thin, solid };
 // Bits of what a draw's neighbours are.

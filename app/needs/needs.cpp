@@ -56,36 +56,31 @@ int lookups_per_lobe(Method method, int lobes) {
   return number >= first_fis ? number - first_fis : std::max(lobes, 1);
 }
 
-Lookups lookups_of(const Needs& needs) {
-  const Method method = needs.view.method;
-  Lookups most;
-  for (const Draw& draw : needs.draws.all) {
-    // Glass reflects little: its lobes are merged into one (stages/environment_light.glsl).
-    const bool refracts = draw.role == Role::refractive;
-    if (value_of(draw.key, Feature::environment) != 0)
-      most.reflected = std::max(
-          most.reflected,
-          refracts ? 1 : lookups_per_lobe(method, value_of(draw.key, Feature::lobe_count)));
-    if (!refracts) continue;
-    if (draw.is_straight()) {
-      most.refracted = std::max(most.refracted, 1);
-      continue;
-    }
-    // Where the index depends on the wavelength each channel goes its own way.
-    const int ways = value_of(draw.key, Feature::dispersion) != 0 ? 3 : 1;
-    most.refracted =
-        std::max(most.refracted, ways * lookups_per_lobe(method, interface_lobes(method)));
-    if (value_of(draw.key, Feature::interior_pairs) == 0) continue;
-    most.internally_reflected = std::max(most.internally_reflected, ways);
-    // Diffuse internal scattering is looked up before the viewer and behind (stages/glass_inside.glsl).
-    const bool scatters =
-        value_of(draw.key, Feature::interior_pairs) > 1 && value_of(draw.key, Feature::smooth) == 0;
-    most.residual = std::max(most.residual, scatters ? 2 * ways : ways);
-  }
-  return most;
-}
-
 } // namespace
+
+Lookups lookups_of(const Draw& draw, Method method) {
+  Lookups lookups;
+  // Glass reflects little: its lobes are merged into one (stages/environment_light.glsl).
+  const bool refracts = draw.role == Role::refractive;
+  if (value_of(draw.key, Feature::environment) != 0)
+    lookups.reflected =
+        refracts ? 1 : lookups_per_lobe(method, value_of(draw.key, Feature::lobe_count));
+  if (!refracts) return lookups;
+  if (draw.is_straight()) {
+    lookups.refracted = 1;
+    return lookups;
+  }
+  // Where the index depends on the wavelength each channel goes its own way.
+  const int ways = value_of(draw.key, Feature::dispersion) != 0 ? 3 : 1;
+  lookups.refracted = ways * lookups_per_lobe(method, interface_lobes(method));
+  if (value_of(draw.key, Feature::interior_pairs) == 0) return lookups;
+  lookups.internally_reflected = ways;
+  // Diffuse internal scattering is looked up before the viewer and behind (stages/glass_inside.glsl).
+  const bool scatters =
+      value_of(draw.key, Feature::interior_pairs) > 1 && value_of(draw.key, Feature::smooth) == 0;
+  lookups.residual = scatters ? 2 * ways : ways;
+  return lookups;
+}
 
 std::size_t Needs::triangle_count() const {
   std::size_t count = 0;
@@ -114,9 +109,12 @@ Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes) {
   if (view.method != Method::standard) needs.walls = walls_of(scene, needs.draws);
   if (view.method != Method::standard && (needs.sky || !scene.lights.empty())) {
     needs.proxies = shapes->proxies();
-    find_neighbours(needs.draws, scene, *needs.proxies);
+    if (!has(view.without, Feature::neighbours))
+      find_neighbours(needs.draws, scene, *needs.proxies);
   }
-  needs.shadows = shadow_maps_of(scene, view, needs.draws, *shapes, needs.proxies.get());
+  if (!has(view.without, Feature::lights))
+    needs.shadows =
+        shadow_maps_of(scene, view, needs.draws, *shapes, needs.proxies.get());
   mark_fine(needs.draws.all, view);
   needs.bounds = bounds_of(needs.draws.all, scene.bounds);
   sort_opaque(needs);
@@ -125,7 +123,12 @@ Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes) {
   needs.images = images_of(scene, needs.read());
   needs.streams = streams_of(needs.read());
   needs.index_lists = index_lists_of(needs.read());
-  needs.lookups = lookups_of(needs);
+  for (const Draw& draw : needs.draws.all) {
+    const Lookups most = lookups_of(draw, view.method);
+    for (int Lookups::*kind : {&Lookups::reflected, &Lookups::refracted,
+                               &Lookups::internally_reflected, &Lookups::residual})
+      needs.lookups.*kind = std::max(needs.lookups.*kind, most.*kind);
+  }
   return needs;
 }
 

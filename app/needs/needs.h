@@ -24,7 +24,9 @@ struct Lookups {
   int refracted = 0; // of what is seen through glass, where light first comes to leave it
   int internally_reflected = 0; // where it leaves after total reflections inside a solid
   int residual = 0;             // for what has not left then
+  int sum() const { return reflected + refracted + internally_reflected + residual; }
 };
+Lookups lookups_of(const Draw& draw, Method method);
 
 // Points into itself and into the scene: it can be moved, not copied.
 struct Needs {

@@ -27,6 +27,11 @@ void Shapes::scene_changed() {
   shapes_.clear();
 }
 
+void Shapes::geometry_changed() {
+  scene_changed();
+  shapes_.clear();
+}
+
 const scene::SolidShape& Shapes::of(const scene::Instance& instance, scene::Index body_of) {
   const auto [at, is_new] = shapes_.try_emplace({instance.mesh, body_of});
   if (!is_new) return at->second;

@@ -18,6 +18,7 @@ public:
   explicit Shapes(const scene::Scene& scene); // must outlive this
   // The scene's instances have been moved, or its materials changed: what depends on them is worked out again.
   void scene_changed();
+  void geometry_changed(); // and its meshes with them
   // The material that stands for the body of this one (scene/bodies.h).
   scene::Index body(scene::Index material) const {
     return bodies_[static_cast<std::size_t>(material)];

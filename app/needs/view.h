@@ -16,6 +16,7 @@ struct View {
   Method method = Method::lobes1;
   bool correlated_smith = false, multiple_scattering = false;
   std::optional<std::size_t> environment; // bytes of its cubes; nothing: there is none
+  FeatureSet without;                     // drawn as if nothing had these
 };
 
 // Of the frame whose samples are averaged, all of them within half a pixel of it.

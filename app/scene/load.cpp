@@ -143,9 +143,10 @@ Scene load(const std::filesystem::path& path, const std::optional<Instant>& inst
   Document document(path);
   Scene scene;
   scene.path = path.string();
+  scene.animations = animation_names(document);
   if (instant)
     scene.posed = pose_at(document, *instant);
-  else if (!document.animations().empty())
+  else if (!scene.animations.empty())
     note(document.name()
          + ": has animations; it is shown as its nodes stand, or at a time of them by --time");
   const Hierarchy hierarchy(document);

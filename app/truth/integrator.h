@@ -27,6 +27,8 @@
 #include "truth/intersection.h"
 #include "truth/sample.h"
 
+#include <optional>
+
 namespace gg::truth {
 
 enum class Transport {
@@ -46,6 +48,11 @@ public:
     // The most that light which was scattered may bring along one path: its largest channel, radiance.
     // Less noise for less light: the mean is too small by what Sample::clamped says on average.
     double clamp = INFINITY;
+    // What rays of the camera see that meet nothing; light comes from the environment as it is.
+    struct Background {
+      double sigma = 0.0;              // radians, of a Gaussian over the environment
+      std::optional<glm::dvec3> plain; // radiance, in its place
+    } background;
   };
 
   // Without an environment only lights and emissive surfaces shine. `eye`: where perspective rays
@@ -66,6 +73,7 @@ private:
   void cross_plate(Path& path, Intersection& intersection, const glm::dvec3& wi) const;
   bool survives(Walk& walk, Path& path) const;
   void add_environment(Walk& walk, const Path& path) const;
+  void add_background(Walk& walk, const Path& path) const;
   // What a path brings to its sample, clamped if it was scattered.
   void add(Walk& walk, const Path& path, const glm::dvec3& radiance) const;
 

@@ -21,7 +21,7 @@ using glm::vec4;
 
 // std140 and std430 place these types at multiples of 16 bytes with no holes, which is what C++
 // does too.
-static_assert(offsetof(FrameData, eye) == 128 && sizeof(FrameData) == 496);
+static_assert(offsetof(FrameData, eye) == 128 && sizeof(FrameData) == 512);
 static_assert(offsetof(InstanceData, normalFromMesh) == 64 && sizeof(InstanceData) == 128);
 static_assert(offsetof(LightData, cone) == 48 && sizeof(LightData) == 64);
 static_assert(offsetof(MaterialData, baseColorRow0) == 176 && sizeof(MaterialData) == 656);

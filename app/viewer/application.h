@@ -1,12 +1,15 @@
 // The state of a running viewer and what carries out a frame of it.
 #pragma once
 
+#include "core/error.h"
+#include "environment/stack.h"
 #include "viewer/display_pass.h"
 #include "viewer/loading.h"
 #include "viewer/pace.h"
 #include "viewer/picture.h"
 #include "viewer/session.h"
 #include "viewer/shader_reload.h"
+#include "viewer/sight.h"
 #include "viewer/viewer.h"
 #include "viewer/watched_files.h"
 
@@ -35,11 +38,17 @@ private:
   void frame();
   void wait();
   bool is_busy() const;
+  std::string loading_words() const;
   // opening.cpp
   void open(const std::string& path);
   void open_first();
   void take_loaded();
+  void build_light();
+  void fail(const Error& error); // within a catch
   void adopt(Loading::Done done);
+  void adopt_pose(Loading::Done done);
+  void play(double seconds);
+  void pose();
   void remember(const std::string& scene);
   // requests.cpp
   void carry_out();
@@ -66,6 +75,7 @@ private:
 
   const Settings& settings_;
   const Commands& commands_;
+  Thumbnails thumbnails_; // first: they are read while the window opens
   Session session_;
   std::unique_ptr<gpu::Window> window_;
   std::unique_ptr<Picture> picture_;
@@ -73,9 +83,12 @@ private:
   std::string second_method_;       // that it was drawn by; empty: it is of another view
   std::unique_ptr<DisplayPass> display_;
   std::unique_ptr<DebugView> debug_; // of the scene, while one is shown
+  std::unique_ptr<Sight> sight_;     // the same, of what is worked out along lines of sight
   gpu::TextureRef debug_shown_;      // null: it is to be drawn
   DebugKind debug_kind_ = DebugKind::picture;
   Loading loading_;
+  std::optional<Loading::Done> lit_;                // what waits for its environment,
+  std::unique_ptr<environment::Building> building_; // which is prefiltered, a step in each frame
   TruthRun truth_;
   Pace pace_;
   WatchedFiles files_;
@@ -90,6 +103,7 @@ private:
   gpu::TextureRef beside_;               // of report_shown_
   std::shared_ptr<const TruthRun::Report> report_shown_;
   Comparing beside_kind_ = Comparing::wipe;
+  bool posing_ = false;   // the time has changed since the last pose was asked for
   bool reloaded_ = false; // shaders have been, at least once
   Clock::time_point changed_ = Clock::now(), last_frame_ = Clock::now();
   std::uint64_t events_seen_ = 0;

@@ -12,9 +12,19 @@
 
 namespace gg::viewer {
 
-enum class DebugKind { picture, normals, depth, interior_layers, path_length };
-inline constexpr const char* debug_names[] = {"picture", "normals", "depth", "interior layers",
-                                              "path length inside"};
+enum class DebugKind {
+  picture,
+  normals,
+  depth,
+  interior_layers,
+  path_length,
+  sigma_in_pixels, // of the lobe that passes, where it meets something; this one and those below: sight.h
+  screen_share,    // of that lobe: what meets something that the picture shows
+  samples          // of the blurred surroundings: a pixel's lookups in all its samples
+};
+inline constexpr const char* debug_names[] = {
+    "picture",         "normals",      "depth",  "interior layers", "path length inside",
+    "sigma in pixels", "screen share", "samples"};
 
 class DebugView {
 public:
@@ -22,9 +32,9 @@ public:
 
   struct Drawn {
     image::Image colours;  // for display
-    double greatest = 0.0; // what the brightest colour stands for: metres, or layers
+    double greatest = 0.0; // what the brightest colour stands for: metres, layers, pixels or lookups
   };
-  // Straight along the line of sight, from outside of solids; meshes as the picture culls them. Any kind but picture.
+  // Straight along the line of sight, from outside of solids; meshes as the picture culls them. Normals to path_length.
   Drawn draw(DebugKind kind, const scene::Scene& scene, const scene::Camera& camera, int width,
              int height);
 

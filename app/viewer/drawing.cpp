@@ -1,6 +1,7 @@
 // The picture, the truth beside it, and both on the screen.
 #include "core/error.h"
 #include "image/heat_map.h"
+#include "needs/left_out.h"
 #include "viewer/application.h"
 
 #include <fmt/format.h>
@@ -56,7 +57,9 @@ frame::FrameDesc Application::frame_desc(double scale, int samples) const {
           .camera = session_.camera,
           .method = commands_.method(session_.view.method),
           .correlated_smith = session_.view.smith == "correlated",
-          .multiple_scattering = session_.view.multiscatter};
+          .multiple_scattering = session_.view.multiscatter,
+          .without = needs::left_out(session_.view.left_out()),
+          .background = commands_.background(session_.view)};
 }
 
 void Application::restart(bool quick) {
@@ -168,6 +171,7 @@ void Application::run_truth() {
                 .height = height_,
                 .correlated_smith = session_.view.smith == "correlated",
                 .multiple_scattering = session_.view.multiscatter,
+                .background = commands_.background(session_.view),
                 .samples = settings_.truth > 0 ? settings_.truth : 4096});
   std::vector<int> objects;
   if (session_.picked) objects.push_back(session_.picked->instance + 1);
@@ -211,8 +215,19 @@ void Application::inspect() {
 Beside Application::debug_view() {
   if (!debug_) debug_ = std::make_unique<DebugView>(window_->device());
   if (!debug_shown_ || debug_kind_ != session_.debug) {
-    const DebugView::Drawn drawn =
-        debug_->draw(session_.debug, *session_.scene, session_.camera, width_, height_);
+    DebugView::Drawn drawn;
+    if (session_.debug >= DebugKind::sigma_in_pixels) {
+      if (!sight_) sight_ = std::make_unique<Sight>(session_.scene);
+      drawn = sight_->draw({.kind = session_.debug,
+                            .camera = session_.camera,
+                            .width = width_,
+                            .height = height_,
+                            .coarse = quick_,
+                            .samples = quick_ ? 1 : session_.view.samples},
+                           picture_->renderer().needs());
+    } else {
+      drawn = debug_->draw(session_.debug, *session_.scene, session_.camera, width_, height_);
+    }
     session_.debug_greatest = drawn.greatest;
     debug_shown_ = upload(window_->device(), drawn.colours, "debug view");
     debug_kind_ = session_.debug;

@@ -161,6 +161,9 @@ void take_key(Session& session, const gpu::KeyPress& press) {
   case 'R':
     session.turntable = !session.turntable;
     return;
+  case 'P':
+    session.playing = !session.playing && session.scene && !session.scene->animations.empty();
+    return;
   case 'V':
     session.debug =
         static_cast<DebugKind>((static_cast<int>(session.debug) + 1) % IM_ARRAYSIZE(debug_names));
@@ -214,9 +217,10 @@ const char* help() {
          "F: frame all        . : frame what is picked\n"
          "1 3 7: front, right, top   (Ctrl: opposite)\n"
          "5: orthographic    I: lobes under the cursor\n"
-         "V: normals, depth, solids\n"
+         "V: normals, depth, solids, lobes\n"
          "Arrows, + and -: orbit, dolly\n"
          "R: turntable        Ctrl+R: reload\n"
+         "P: play the animation, pause\n"
          "T: truth beside it  M: how it is shown\n"
          "Space, held: the truth alone\n"
          "Ctrl+Z, Ctrl+Y: undo, redo\n"

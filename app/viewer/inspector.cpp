@@ -4,6 +4,9 @@
 #include "needs/features.h"
 #include "needs/tables.h"
 #include "tables/lookup.h"
+#include "truth/surface.h"
+
+#include <glm/gtc/matrix_inverse.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -24,15 +27,41 @@ struct Reflector {
   }
 };
 
-Reflector reflector_of(const scene::Material& m) {
-  const auto mean = [](const glm::vec3& v) { return static_cast<double>(v.x + v.y + v.z) / 3.0; };
-  if (m.conductor) return {.eta = 0.0, .n = mean(m.conductor->n), .k = mean(m.conductor->k)};
-  if (m.metallic >= 0.5f) {
+Reflector reflector_of(const truth::Surface& s) {
+  const auto mean = [](const glm::dvec3& v) { return (v.x + v.y + v.z) / 3.0; };
+  const scene::Material& m = *s.material;
+  if (m.conductor)
+    return {.eta = 0.0, .n = mean(glm::dvec3(m.conductor->n)), .k = mean(glm::dvec3(m.conductor->k))};
+  if (s.metallic >= 0.5) {
     // Of a colour at normal incidence alone: the real index that reflects as much.
-    const double root = std::sqrt(std::min(mean(glm::vec3(m.base_color)), 0.99));
+    const double root = std::sqrt(std::min(mean(s.base_color), 0.99));
     return {.eta = 0.0, .n = (1.0 + root) / (1.0 - root), .k = 0.0};
   }
   return {.eta = static_cast<double>(m.ior)};
+}
+
+// What the path tracer would read where the cursor is.
+truth::Surface surface_at(const scene::Scene& scene, const Picked& hit, const glm::dvec3& wo) {
+  const scene::Instance& instance = scene.instances[static_cast<std::size_t>(hit.instance)];
+  const scene::Primitive& primitive =
+      scene.meshes[static_cast<std::size_t>(instance.mesh)]
+          .primitives[static_cast<std::size_t>(hit.primitive)];
+  const glm::dmat4 world(instance.world);
+  const truth::Part part{.primitive = &primitive,
+                         .material = &scene.materials[static_cast<std::size_t>(hit.material)],
+                         .instance = hit.instance,
+                         .material_index = hit.material,
+                         .world_from_mesh = world,
+                         .normal_from_mesh = glm::inverseTranspose(glm::dmat3(world)),
+                         .mirrored = instance.mirrored};
+  const truth::Hit at{.part = &part,
+                      .vertices = {hit.vertices[0], hit.vertices[1], hit.vertices[2]},
+                      .weights = hit.weights,
+                      .position = hit.position,
+                      .normal = hit.normal};
+  truth::Surface surface = truth::Surfaces(scene).read(at, wo);
+  surface.hit.part = nullptr; // it ends here
+  return surface;
 }
 
 // From the viewer's side, who is at `incidence` to the left.
@@ -87,10 +116,10 @@ glm::dvec3 refracted(const glm::dvec3& towards, const glm::dvec3& normal, double
 }
 
 // From where the ray enters to what it sees behind.
-Inspection::Exit exit_of(const scene::Scene& scene, const Picked& hit, const glm::dvec3& direction,
-                         double eta) {
+Inspection::Exit exit_of(const scene::Scene& scene, const Picked& hit, const glm::dvec3& normal,
+                         const glm::dvec3& direction, double eta) {
   Inspection::Exit exit;
-  const glm::dvec3 inside = refracted(direction, hit.normal, eta);
+  const glm::dvec3 inside = refracted(direction, normal, eta);
   const Ray within{hit.position, glm::vec3(inside)};
   const auto back = pick(scene, within, {.instance = hit.instance, .back_faces = true});
   if (!back) {
@@ -131,18 +160,22 @@ std::optional<Inspection> inspect(const scene::Scene& scene, const Ray& ray, nee
   const auto hit = pick(scene, ray);
   if (!hit) return std::nullopt;
   const scene::Material& material = scene.materials[static_cast<std::size_t>(hit->material)];
+  const glm::dvec3 direction = glm::normalize(glm::dvec3(ray.direction));
+  const truth::Surface seen = surface_at(scene, *hit, -direction);
   Inspection found;
   found.instance = hit->instance;
   found.material = hit->material;
   // Below, a surface is smooth for the tables and for a plot of it.
   constexpr double least_alpha = 1e-3;
-  found.alpha = static_cast<double>(scene::microfacet_alpha(material));
+  found.alpha = seen.alpha;
+  if (seen.coat) found.coat = seen.coat->strength, found.coat_alpha = seen.coat->alpha;
+  found.film = seen.film.has_value();
+  found.brushed = seen.brushing.has_value();
+  found.mixed = !material.conductor && seen.metallic > 0.0 && seen.metallic < 1.0;
   const double alpha = std::max(found.alpha, least_alpha);
-  const glm::dvec3 normal = glm::normalize(glm::dvec3(hit->normal)),
-                   direction = glm::normalize(glm::dvec3(ray.direction));
-  const double cosine = std::clamp(std::abs(glm::dot(normal, direction)), 1e-3, 1.0);
+  const double cosine = std::clamp(glm::dot(seen.n, -direction), 1e-3, 1.0);
   found.incidence = std::acos(cosine);
-  const Reflector reflects = reflector_of(material);
+  const Reflector reflects = reflector_of(seen);
   found.eta = reflects.eta;
   found.fresnel = reflects.at(cosine);
 
@@ -164,7 +197,7 @@ std::optional<Inspection> inspect(const scene::Scene& scene, const Ray& ray, nee
   found.passes =
       passing_lobe(model, found.eta, std::max(needs::interface_lobes(method), 1), cosine, alpha);
   found.passes.exact = exact_lobe(surface, found.incidence, correlated);
-  if (material.thickness > 0.0f) found.leaves = exit_of(scene, *hit, direction, found.eta);
+  if (material.thickness > 0.0f) found.leaves = exit_of(scene, *hit, seen.n, direction, found.eta);
   return found;
 }
 

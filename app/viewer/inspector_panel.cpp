@@ -97,6 +97,11 @@ void draw_inspector(const Session& session, float scale) {
   ImGui::Text("%s: %s", name_of(scene, found.instance).c_str(), material.name.c_str());
   ImGui::Text("alpha %.4f   at %.1f deg", found.alpha, glm::degrees(found.incidence));
   ImGui::Text("F %.4f   1 - F %.4f", found.fresnel, 1.0 - found.fresnel);
+  if (found.coat > 0.0)
+    ImGui::Text("under a coat of %.2f, alpha %.3f: not in the plot", found.coat, found.coat_alpha);
+  if (found.film) ImGui::TextUnformatted("under a thin film: not in the plot");
+  if (found.brushed) ImGui::TextUnformatted("brushed: plotted with its mean width");
+  if (found.mixed) ImGui::TextUnformatted("part metal: plotted as what it is most");
   draw_plot(found, scale);
   ImGui::TextUnformatted("coloured: exact f |cos|   white: its Gaussians");
   draw_lobes("reflected", found.reflected, reflected);

@@ -39,6 +39,11 @@ bool Loading::ready() const {
   return done_.has_value();
 }
 
+bool Loading::idle() const {
+  const std::lock_guard lock(mutex_);
+  return !reading_ && !next_ && !done_;
+}
+
 std::string Loading::doing() const {
   const std::lock_guard lock(mutex_);
   return doing_;
@@ -52,20 +57,24 @@ void Loading::run() {
     const Job job = *std::exchange(next_, std::nullopt);
     doing_ = std::filesystem::path(job.scene ? job.view.scene : job.view.env).filename().string();
     if (doing_.empty()) doing_ = "the environment";
+    if (job.pose) doing_.clear();
+    reading_ = true;
     lock.unlock();
     Done done = read(job);
     lock.lock();
     done_ = std::move(done);
     doing_.clear();
+    reading_ = false;
     wake_();
   }
 }
 
 Loading::Done Loading::read(const Job& job) const {
-  Done done{.view = job.view};
+  Done done{.view = job.view, .pose = job.pose};
   try {
     if (job.scene) done.scene = std::make_shared<scene::Scene>(commands_.load_scene(job.view));
-    done.map = commands_.load_environment(job.view, done.scene ? *done.scene : *job.current);
+    if (!job.pose)
+      done.map = commands_.load_environment(job.view, done.scene ? *done.scene : *job.current);
   } catch (const std::bad_alloc&) {
     done.failure = std::current_exception();
     done.error = job.view.scene + ": there is not enough memory for it";

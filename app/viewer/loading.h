@@ -23,6 +23,7 @@ public:
   struct Job {
     View view;
     bool scene = true; // else the environment alone, for `current`
+    bool pose = false; // the scene alone, at another time of its animation
     std::shared_ptr<const scene::Scene> current;
   };
   // Replaces a job that has not begun.
@@ -30,6 +31,7 @@ public:
 
   struct Done {
     View view;
+    bool pose = false;
     std::shared_ptr<scene::Scene> scene; // null if the environment alone was asked for
     std::optional<environment::Map> map; // none: no environment
     std::exception_ptr failure;          // not null: nothing was read,
@@ -37,7 +39,8 @@ public:
   };
   std::optional<Done> take();
   bool ready() const;        // there is something to take
-  std::string doing() const; // the file that is being read; empty if none is
+  std::string doing() const; // the file that is being read; empty if none is, or another time of it
+  bool idle() const;         // a job that is started begins at once, and nothing is there to take
 
 private:
   void run();
@@ -50,6 +53,7 @@ private:
   std::optional<Job> next_;
   std::optional<Done> done_;
   std::string doing_;
+  bool reading_ = false;
   bool stopping_ = false;
   std::thread thread_;
 };

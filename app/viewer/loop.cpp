@@ -3,6 +3,7 @@
 #include "viewer/input.h"
 #include "viewer/panels.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ void Application::loop() {
 }
 
 bool Application::is_busy() const {
-  if (settling_ > 0 || loading_.ready() || truth_.ready() || shaders_.ready() || session_.turntable)
+  if (settling_ > 0 || building_ || session_.playing || loading_.ready() || truth_.ready() || shaders_.ready() || session_.turntable)
     return true;
   if (!session_.scene || broken_) return false;
   return stale_ || quick_ || !picture_->done()
@@ -40,19 +41,27 @@ void Application::wait() {
     see();
     if (const std::string path = files_.changed(); !path.empty()) open(path);
     shaders_.look();
-    if (loading_.doing() != session_.loading) break; // to be said
+    if (loading_words() != session_.loading) break; // to be said
   }
+}
+
+std::string Application::loading_words() const {
+  if (building_)
+    return fmt::format("prefiltering {}: {:.0f} %", lit_->map->name, 100.0 * building_->progress());
+  const std::string file = loading_.doing();
+  return file.empty() ? "" : "reading " + file + " ...";
 }
 
 void Application::frame() {
   if (settling_ > 0) --settling_;
   take_loaded();
+  build_light();
   take_truth();
   shaders_.look();
   take_shaders();
   for (const std::string& path : window_->take_dropped())
     open(path);
-  session_.loading = loading_.doing();
+  session_.loading = loading_words();
 
   window_->begin_frame();
   const ImGuiIO& io = ImGui::GetIO();
@@ -70,6 +79,7 @@ void Application::frame() {
   const auto now = Clock::now();
   take_input(session_, {width, io.DisplaySize.y}, window_->take_keys(), window_->take_drags(),
              std::chrono::duration<double>(now - last_frame_).count());
+  play(std::chrono::duration<double>(now - last_frame_).count());
   last_frame_ = now;
   carry_out();
   if (session_.scene && !broken_) draw();

@@ -5,8 +5,11 @@
 #include "viewer/application.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <thread>
+#include <utility>
 
 namespace gg::viewer {
 namespace {
@@ -39,6 +42,8 @@ void Application::open(const std::string& path) {
     job.view.edits.clear();
     job.view.camera.clear();
     job.view.place.reset();
+    job.view.time.reset();
+    job.view.animation.clear();
   }
   loading_.start(std::move(job));
   settling_ = 3;
@@ -62,19 +67,53 @@ void Application::take_loaded() {
     session_.message = done->error;
     return;
   }
+  if (done->pose) return adopt_pose(std::move(*done));
+  building_.reset(); // of what was asked for before
+  lit_ = std::move(done);
   try {
-    adopt(std::move(*done));
+    if (lit_->map)
+      building_ = std::make_unique<environment::Building>(window_->device(), *lit_->map);
+    else
+      adopt(*std::exchange(lit_, std::nullopt));
   } catch (const Error& error) {
-    if (!session_.scene) throw;
-    session_.message = error.what();
+    fail(error);
   }
+}
+
+// The picture goes on as it was until the new light is there.
+void Application::build_light() {
+  if (!building_) return;
+  try {
+    // Before the first picture there is none to go on with: then the work goes on for a while, and threads that work for it are
+    // given a little time.
+    constexpr auto first_slice = std::chrono::milliseconds(100);
+    const auto start = Clock::now();
+    bool done = building_->advance();
+    while (!done && !session_.scene && Clock::now() - start < first_slice) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      done = building_->advance();
+    }
+    if (!done) return;
+    adopt(*std::exchange(lit_, std::nullopt));
+  } catch (const Error& error) {
+    fail(error);
+  }
+  building_.reset();
+  settling_ = 3;
+}
+
+void Application::fail(const Error& error) {
+  if (!session_.scene) throw; // there is nothing to go on with
+  lit_.reset();
+  session_.message = error.what();
 }
 
 void Application::adopt(Loading::Done done) {
   truth_.stop();
   session_.report.reset();
   auto map = done.map ? std::make_shared<const environment::Map>(std::move(*done.map)) : nullptr;
-  picture_->light(map.get());
+  picture_->light(building_ ? std::make_shared<const environment::Stack>(building_->stack())
+                            : nullptr);
   session_.map = std::move(map);
   if (done.scene) {
     const bool again = done.view.scene == session_.view.scene && session_.scene;
@@ -86,7 +125,9 @@ void Application::adopt(Loading::Done done) {
     display_->pick(*session_.scene, scene::none);
     picture_->open(session_.scene);
     debug_.reset(); // it draws the scene before
+    sight_.reset();
     debug_shown_.reset();
+    session_.playing = false;
     second_.reset(); // and so does this
     second_method_.clear();
   }
@@ -108,6 +149,45 @@ void Application::adopt(Loading::Done done) {
   files_.watch({session_.view.scene, session_.view.env});
   window_->set_title(fs::path(session_.view.scene).filename().string() + " - Groundglass");
   remember(session_.view.scene);
+}
+
+// The same file at another time.
+void Application::adopt_pose(Loading::Done done) {
+  if (done.view.scene != session_.view.scene || !done.scene) return; // another has come meanwhile
+  truth_.stop();
+  session_.report.reset();
+  done.scene->materials = session_.scene->materials;
+  session_.scene = std::move(done.scene);
+  picture_->pose(session_.scene);
+  debug_.reset();
+  sight_.reset();
+  second_.reset();
+  second_method_.clear();
+  outlined_.reset();
+  session_.requests.camera = true;
+}
+
+// Time goes on by the clock; poses that take longer are left out.
+void Application::play(double seconds) {
+  if (!session_.playing || !session_.scene) return;
+  View& view = session_.view;
+  const auto& posed = session_.scene->posed;
+  const float end = posed ? posed->end : 0.0f;
+  view.time = view.time.value_or(0.0f) + static_cast<float>(seconds);
+  if (posed && *view.time > end) view.time = end > 0.0f ? std::fmod(*view.time, end) : 0.0f;
+  session_.requests.pose = true;
+}
+
+void Application::pose() {
+  // A camera that is framed by what it sees would move with it: as in `capture --frames-out`.
+  if (!session_.view.place && session_.scene->cameras.empty())
+    session_.view.place = place_of(session_.camera, session_.scene->bounds);
+  if (!loading_.idle()) {
+    posing_ = true; // when it is
+    return;
+  }
+  posing_ = false;
+  loading_.start({.view = session_.view, .scene = true, .pose = true, .current = session_.scene});
 }
 
 void Application::remember(const std::string& scene) {

@@ -76,32 +76,29 @@ void draw_camera_panel(Session& session) {
   ImGui::Checkbox("turntable", &session.turntable);
 }
 
-// The maps that come with the program, by their paths.
-const std::vector<std::string>& bundled_environments() {
-  static const std::vector<std::string> found = [] {
-    std::vector<std::string> paths;
-    std::error_code none;
-    for (const auto& entry : fs::directory_iterator(home_directory() / "assets/environments", none))
-      if (entry.path().extension() == ".hdr") paths.push_back(entry.path().string());
-    std::ranges::sort(paths);
-    return paths;
-  }();
-  return found;
-}
-
-void draw_environment_panel(Session& session) {
-  const std::string now =
-      session.view.env.empty() ? "royal_esplanade_1k" : fs::path(session.view.env).stem().string();
-  if (ImGui::BeginCombo("map", now.c_str())) {
-    for (const std::string& path : bundled_environments())
-      if (ImGui::Selectable(fs::path(path).stem().c_str())) session.requests.open = path;
+void draw_animation_panel(Session& session) {
+  View& view = session.view;
+  const auto& names = session.scene->animations;
+  const auto& posed = session.scene->posed;
+  if (ImGui::BeginCombo("animation", posed ? posed->animation.c_str() : "as the nodes stand")) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (ImGui::Selectable(fmt::format("{}##{}", names[i], i).c_str())) {
+        view.animation = std::to_string(i);
+        view.time = 0.0f;
+        session.requests.pose = true;
+      }
     ImGui::EndCombo();
   }
-  bool changed =
-      ImGui::SliderFloat("rotation", &session.view.env_rotation, -180.0f, 180.0f, "%.1f deg");
-  changed |= ImGui::SliderFloat("intensity", &session.view.env_intensity, 0.0f, 8.0f, "%.3f",
-                                ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-  session.requests.light |= changed;
+  if (ImGui::Button(session.playing ? "Pause (P)" : "Play (P)")) session.playing = !session.playing;
+  ImGui::SameLine();
+  float time = view.time.value_or(0.0f);
+  ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::SliderFloat("##time", &time, 0.0f, posed ? std::max(posed->end, 1e-3f) : 1.0f, "%.3f s",
+                         ImGuiSliderFlags_AlwaysClamp)) {
+    view.time = time;
+    session.playing = false;
+    session.requests.pose = true;
+  }
 }
 
 void draw_quality_panel(Session& session, const std::vector<std::string>& methods) {
@@ -154,41 +151,6 @@ void draw_save_panel(Session& session) {
   if (ImGui::Button("Save glTF")) session.requests.save_materials = copy;
 }
 
-void draw_pass_table(Session& session) {
-  constexpr double mib = 1048576.0;
-  double total = 0.0;
-  const auto row = [](const std::string& label, double ms, const std::string& draws,
-                      const std::string& bytes) {
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(label.c_str());
-    ImGui::TableNextColumn();
-    ImGui::Text("%.2f", ms);
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(draws.c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(bytes.c_str());
-  };
-  if (ImGui::BeginTable("passes", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
-    for (const char* title : {"pass", "ms", "draws", "MiB"})
-      ImGui::TableSetupColumn(title);
-    ImGui::TableHeadersRow();
-    for (const Session::PassRow& pass : session.passes) {
-      const auto ms = session.pass_ms.find(pass.label);
-      const double taken = ms == session.pass_ms.end() ? 0.0 : ms->second;
-      total += taken;
-      row(pass.passes > 1 ? fmt::format("{} x {}", pass.label, pass.passes) : pass.label, taken,
-          pass.draws ? std::to_string(pass.draws) : "",
-          fmt::format("{:.1f}", static_cast<double>(pass.bytes) / mib));
-    }
-    row("all", total, "", "");
-    ImGui::EndTable();
-  }
-  for (const needs::FeatureUse& feature : session.features)
-    ImGui::Text("%s: %zu draw%s", feature.name.c_str(), feature.draws,
-                feature.draws == 1 ? "" : "s");
-  ImGui::Text("%.1f MiB on the device", static_cast<double>(session.device_bytes) / 1048576.0);
-}
-
 void draw_debug_panel(Session& session) {
   int kind = static_cast<int>(session.debug);
   if (ImGui::Combo("shows", &kind, debug_names, IM_ARRAYSIZE(debug_names)))
@@ -197,6 +159,12 @@ void draw_debug_panel(Session& session) {
     ImGui::Text("black 0, yellow %.4g m", session.debug_greatest);
   if (session.debug == DebugKind::interior_layers)
     ImGui::Text("black 0, yellow %.0f", session.debug_greatest);
+  if (session.debug == DebugKind::sigma_in_pixels)
+    ImGui::Text("black 0, yellow %.3g pixels", session.debug_greatest);
+  if (session.debug == DebugKind::screen_share)
+    ImGui::TextUnformatted("blue the environment, orange the screen");
+  if (session.debug == DebugKind::samples)
+    ImGui::Text("black 0, yellow %.0f lookups of a pixel", session.debug_greatest);
 }
 
 void draw_status(const Session& session, float scale) {
@@ -210,7 +178,7 @@ void draw_status(const Session& session, float scale) {
   ImGui::Begin("status", nullptr, flags);
   std::string line;
   if (!session.loading.empty())
-    line = "reading " + session.loading + " ...";
+    line = session.loading;
   else if (!session.scene)
     line = "drop a .gltf or .glb here";
   else if (session.moving)
@@ -256,7 +224,7 @@ void draw_shader_message(const Session& session, float scale) {
 
 } // namespace
 
-void set_up_panels(float scale) {
+std::vector<Thumbnail> set_up_panels(float scale, Thumbnails& thumbnails) {
   ImGuiIO& io = ImGui::GetIO();
   io.ConfigInputTextCursorBlink = false; // an idle window draws nothing
   io.ConfigWindowsMoveFromTitleBarOnly = true;
@@ -269,8 +237,7 @@ void set_up_panels(float scale) {
   std::error_code none;
   if (fs::exists(font, none))
     io.Fonts->AddFontFromFileTTF(font.c_str(), std::round(14.0f * scale));
-  else
-    io.FontGlobalScale = scale;
+  return thumbnails.in_atlas(scale);
 }
 
 float panel_width(const Session& session, float scale) {
@@ -295,15 +262,17 @@ void draw_panels(Session& session, const std::vector<std::string>& methods, floa
   if (ImGui::CollapsingHeader("Scene", open)) draw_scene_panel(session);
   if (session.scene) {
     if (ImGui::CollapsingHeader("Material", open)) draw_material_panel(session);
-    if (ImGui::CollapsingHeader("Environment", open)) draw_environment_panel(session);
+    if (ImGui::CollapsingHeader("Environment", open)) draw_environment_panel(session, scale);
     if (ImGui::CollapsingHeader("Compare", open)) draw_truth_panel(session, methods);
     if (ImGui::CollapsingHeader("Camera")) draw_camera_panel(session);
+    if (!session.scene->animations.empty() && ImGui::CollapsingHeader("Animation", open))
+      draw_animation_panel(session);
     if (ImGui::CollapsingHeader("Picture")) draw_quality_panel(session, methods);
     if (ImGui::CollapsingHeader("Copy and save")) draw_save_panel(session);
     draw_debug_panel(session);
     ImGui::Checkbox("inspect lobes under the cursor (I)", &session.inspector);
     session.pass_table = ImGui::CollapsingHeader("Passes");
-    if (session.pass_table) draw_pass_table(session);
+    if (session.pass_table) draw_passes_panel(session);
   }
   if (ImGui::CollapsingHeader("Keys")) ImGui::TextUnformatted(help());
   ImGui::PopItemWidth();

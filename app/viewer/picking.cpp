@@ -25,9 +25,9 @@ glm::vec3 vertex(const scene::Stream& stream, std::uint32_t i) {
   return {v[0], v[1], v[2]};
 }
 
-// Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
-std::optional<float> hit(const Ray& ray, const glm::vec3& a, const glm::vec3& b,
-                         const glm::vec3& c) {
+// The distance, and the weights of b and c. Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
+std::optional<glm::vec3> hit(const Ray& ray, const glm::vec3& a, const glm::vec3& b,
+                             const glm::vec3& c) {
   const glm::vec3 ab = b - a, ac = c - a, p = glm::cross(ray.direction, ac);
   const float determinant = glm::dot(ab, p);
   if (determinant == 0.0f) return std::nullopt;
@@ -38,7 +38,7 @@ std::optional<float> hit(const Ray& ray, const glm::vec3& a, const glm::vec3& b,
   const float v = glm::dot(ray.direction, q) / determinant;
   if (!(v >= 0.0f && u + v <= 1.0f)) return std::nullopt;
   const float t = glm::dot(ac, q) / determinant;
-  return t > 0.0f ? std::optional(t) : std::nullopt;
+  return t > 0.0f ? std::optional(glm::vec3(t, u, v)) : std::nullopt;
 }
 
 } // namespace
@@ -77,18 +77,20 @@ std::optional<Picked> pick(const scene::Scene& scene, const Ray& ray, const Soug
         const glm::vec3 a = vertex(positions, indices[t]), b = vertex(positions, indices[t + 1]),
                         c = vertex(positions, indices[t + 2]);
         const auto at = hit(local, a, b, c);
-        if (!at || *at >= distance) continue;
+        if (!at || at->x >= distance) continue;
         const glm::vec3 facing = glm::cross(b - a, c - a);
         const bool behind = glm::dot(facing, local.direction) > 0.0f;
         if (sought.back_faces ? !behind : behind && !material.double_sided) continue;
-        distance = *at;
+        distance = at->x;
         nearest =
             Picked{static_cast<scene::Index>(i),
                    static_cast<scene::Index>(p),
                    primitive.material,
                    distance,
                    ray.origin + distance * ray.direction,
-                   glm::normalize(glm::vec3(glm::transpose(inverse) * glm::vec4(facing, 0.0f)))};
+                   glm::normalize(glm::vec3(glm::transpose(inverse) * glm::vec4(facing, 0.0f))),
+                   {indices[t], indices[t + 1], indices[t + 2]},
+                   {1.0f - at->y - at->z, at->y, at->z}};
       }
     }
   }

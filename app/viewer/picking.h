@@ -3,6 +3,8 @@
 
 #include "scene/scene.h"
 
+#include <array>
+#include <cstdint>
 #include <optional>
 
 namespace gg::viewer {
@@ -17,6 +19,8 @@ struct Picked {
   scene::Index instance = scene::none, primitive = scene::none, material = scene::none;
   float distance = 0.0f;
   glm::vec3 position{0.0f}, normal{0.0f}; // of the triangle, towards its front
+  std::array<std::uint32_t, 3> vertices{}; // of the triangle, in the primitive's streams
+  glm::vec3 weights{0.0f};                 // of these: barycentric
 };
 struct Sought {
   scene::Index instance = scene::none; // of this one alone

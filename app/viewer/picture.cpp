@@ -16,15 +16,31 @@ void Picture::open_as(const Picture& other) {
   drawn_scene_ = other.drawn_scene_;
 }
 
-void Picture::light(const environment::Map* map) {
-  std::shared_ptr<const environment::Stack> stack;
-  if (map) stack = std::make_shared<const environment::Stack>(environment::build(device_, *map));
-  renderer_.reset(); // before the cubes that it reads
+namespace {
+
+bool same_vertices(const scene::Scene& a, const scene::Scene& b) {
+  return std::ranges::equal(a.streams, b.streams, {}, &scene::Stream::values, &scene::Stream::values);
+}
+
+} // namespace
+
+void Picture::pose(std::shared_ptr<const scene::Scene> scene) {
+  // With the file's own vertices: those that are drawn may have been moved to another origin.
+  const bool moved_alone = same_vertices(*scene_, *scene);
+  scene_ = std::move(scene);
+  Drawn& drawn = *drawn_scene_;
+  drawn.scene = *scene_;
+  drawn.origin.emplace(drawn.scene);
+  drawn.origin->move_to(drawn.at);
+  if (!renderer_) return;
+  moved_alone ? renderer_->scene_changed() : renderer_->geometry_changed();
+}
+
+void Picture::light(std::shared_ptr<const environment::Stack> stack) {
   stack_ = std::move(stack);
 }
 
 void Picture::light_as(const Picture& other) {
-  if (stack_ != other.stack_) renderer_.reset();
   stack_ = other.stack_;
   set_light(other.rotation_, other.intensity_);
 }
@@ -40,7 +56,7 @@ void Picture::set(frame::FrameDesc desc, bool exact) {
   exact |= !renderer_;
   if (exact) {
     drawn.at = desc_.camera.world[3];
-    drawn.origin.move_to(drawn.at);
+    drawn.origin->move_to(drawn.at);
   }
   desc_.camera.world[3] -= glm::vec4(drawn.at, 0.0f);
   std::ranges::copy(scene_->materials, drawn.scene.materials.begin()); // where renderers know them
@@ -51,6 +67,7 @@ void Picture::set(frame::FrameDesc desc, bool exact) {
   } else {
     renderer_ = std::make_unique<frame::Renderer>(device_, drawn.scene, desc_);
   }
+  drawn_stack_ = stack_; // until now the renderer read the one before
   drawn_ = 0;
 }
 

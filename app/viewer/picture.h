@@ -1,7 +1,6 @@
 // The picture on the device: drawn sample by sample, at full size when nothing moves and at a part of it while something does.
 #pragma once
 
-#include "environment/map.h"
 #include "environment/stack.h"
 #include "frame/renderer.h"
 #include "gpu/device.h"
@@ -11,6 +10,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace gg::viewer {
@@ -23,7 +23,9 @@ public:
   // origin is where the camera is.
   void open(std::shared_ptr<const scene::Scene> scene);
   void open_as(const Picture& other);              // the same copy: both have one camera
-  void light(const environment::Map* map);         // another environment
+  // The same scene at another time of its animation.
+  void pose(std::shared_ptr<const scene::Scene> scene);
+  void light(std::shared_ptr<const environment::Stack> stack); // another environment; null: none
   void light_as(const Picture& other);             // the same cubes, and its rotation and intensity
   void set_light(float rotation, float intensity); // radians; of the environment
   // Starts again with this camera, size, method and number of samples, and the scene's materials as they are by now; `desc`'s
@@ -51,16 +53,16 @@ public:
 
 private:
   struct Drawn {
-    explicit Drawn(const scene::Scene& of) : scene(of), origin(scene) {}
+    explicit Drawn(const scene::Scene& of) : scene(of) { origin.emplace(scene); }
     scene::Scene scene;
-    scene::Origin origin;
+    std::optional<scene::Origin> origin;
     glm::vec3 at{0.0f}; // where its origin is
   };
 
   gpu::Device& device_;
   std::shared_ptr<const scene::Scene> scene_;
   std::shared_ptr<Drawn> drawn_scene_;
-  std::shared_ptr<const environment::Stack> stack_;
+  std::shared_ptr<const environment::Stack> stack_, drawn_stack_; // of the last set()
   float rotation_ = 0.0f, intensity_ = 1.0f;
   frame::FrameDesc desc_;
   std::unique_ptr<frame::Renderer> renderer_;

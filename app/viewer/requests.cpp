@@ -38,6 +38,7 @@ void Application::carry_out() {
                                    : bounds_of(*session_.scene, session_.picked->instance),
                     static_cast<float>(width_) / static_cast<float>(height_));
     }
+    if (asks.pose || posing_) pose();
     const bool camera = asks.camera || asks.frame_all || asks.frame_picked;
     if (camera) session_.camera = commands_.camera(session_.view, *session_.scene, width_, height_);
     if (asks.light)
@@ -61,6 +62,7 @@ void Application::carry_out() {
 
 void Application::change_materials() {
   truth_.stop(); // it reads them
+  sight_.reset();
   try {
     apply_edits(session_);
   } catch (const Error&) {

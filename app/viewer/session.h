@@ -8,6 +8,7 @@
 #include "viewer/orbit.h"
 #include "viewer/pace.h"
 #include "viewer/picking.h"
+#include "viewer/thumbnails.h"
 #include "viewer/truth_run.h"
 #include "viewer/view.h"
 
@@ -26,6 +27,7 @@ inline constexpr const char* comparing_names[] = {"wipe", "side by side", "relat
 // Done at the end of the frame in which they are asked for.
 struct Requests {
   bool camera = false, materials = false, light = false, quality = false; // changed
+  bool pose = false; // the time of the animation has
   bool frame_all = false, frame_picked = false, reload = false, undo = false, redo = false,
        quit = false, full_screen = false;
   std::string open;           // a scene or an environment
@@ -43,15 +45,17 @@ struct Session {
   std::optional<Picked> picked;
   bool edit_all = false; // all materials instead of the picked object's
   History history;
-  std::string loading;             // a file that is being read
+  std::string loading;             // a file that is being read, and how far it is
   std::string message;             // what went wrong, until it is closed
   std::string shader_message;      // the compiler's, until it has nothing to say
   std::string said;                // what was done last, for the status line
   std::vector<std::string> recent; // scenes, the last first
+  std::vector<Thumbnail> environments; // that come with the program
 
   bool panel = true;
   double frames_per_second = 30.0; // wanted while something moves
   bool turntable = false;
+  bool playing = false;               // the animation runs
   bool moving = false;                // the picture is a quick one
   int drawn = 0;                      // samples of the picture
   double frame_ms = 0.0, scale = 1.0; // of the last quick picture

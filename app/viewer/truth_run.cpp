@@ -107,7 +107,11 @@ void TruthRun::trace(Run& run, const Desc& desc) {
       *desc.scene, light ? &*light : nullptr,
       camera.orthographic() ? std::nullopt : std::optional(camera.eye()),
       {.smith = desc.correlated_smith ? truth::Smith::correlated : truth::Smith::separable,
-       .multiple_scattering = desc.multiple_scattering});
+       .multiple_scattering = desc.multiple_scattering,
+       .background = {.sigma = static_cast<double>(desc.background.sigma),
+                      .plain = desc.background.plain
+                                   ? std::optional(glm::dvec3(*desc.background.plain))
+                                   : std::nullopt}});
   truth::Film film(desc.width, desc.height);
   const auto start = Clock::now();
   // A picture is shown, and compared, as often as takes a fifth of the time.

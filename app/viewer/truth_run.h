@@ -2,6 +2,7 @@
 #pragma once
 
 #include "environment/map.h"
+#include "frame/frame_desc.h"
 #include "image/compare.h"
 #include "image/image.h"
 #include "scene/scene.h"
@@ -32,6 +33,7 @@ public:
     scene::Camera camera;
     int width = 0, height = 0;
     bool correlated_smith = false, multiple_scattering = false;
+    frame::Background background;
     long samples = 4096;
   };
   // Starts anew; what ran before is cancelled.

@@ -21,6 +21,13 @@ void Edit::erase(const std::string& key) {
   std::erase_if(settings, [&](const auto& setting) { return setting.first == key; });
 }
 
+std::string View::left_out() const {
+  std::string names;
+  for (const std::string& name : without)
+    names += (names.empty() ? "" : ",") + name;
+  return names;
+}
+
 std::vector<std::string> View::all_materials() const {
   std::vector<std::string> all = materials;
   for (std::size_t i = 0; i < edits.size(); ++i) {

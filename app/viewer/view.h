@@ -4,6 +4,7 @@
 
 #include "environment/map.h"
 #include "frame/display.h"
+#include "frame/frame_desc.h"
 #include "needs/features.h"
 #include "scene/scene.h"
 
@@ -11,6 +12,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,14 +48,17 @@ struct View {
   std::string env;                    // a file, `none`, a colour, or empty: the default
   float env_rotation = 0.0f;          // degrees
   float env_intensity = 1.0f;
+  std::string background = "sharp";
   std::string camera;         // of the file; used until the camera is moved
   std::optional<Place> place; // in place of the file's camera
   std::string method = "lobes2", smith = "separable";
   bool multiscatter = false;
+  std::set<std::string> without; // features, as `groundglass needs` names them
   int samples = 16;
   float exposure = 0.0f; // EV
   std::string tonemap = "neutral";
 
+  std::string left_out() const; // as --without takes them
   // The edits as --material options, after those that were given.
   std::vector<std::string> all_materials() const;
 };
@@ -63,6 +68,7 @@ struct Commands {
   std::function<scene::Scene(const View&)> load_scene; // with its materials as the view says
   std::function<std::optional<environment::Map>(const View&, const scene::Scene&)> load_environment;
   std::function<scene::Camera(const View&, const scene::Scene&, int width, int height)> camera;
+  std::function<frame::Background(const View&)> background;
   std::function<needs::Method(const std::string&)> method;
   std::vector<std::string> methods;
   std::function<void(const nlohmann::json&)> write_times; // of --bench-orbit

@@ -29,13 +29,14 @@ Application::Application(const Settings& settings, const Commands& commands)
   session_.view = settings.view;
   session_.panel = settings.panel;
   session_.frames_per_second = settings.frames_per_second;
-  session_.truth = settings.truth > 0;
+  session_.truth = settings.truth > 0 || !settings.second.empty();
+  session_.second = settings.second;
   session_.inspector = settings.inspect.has_value();
   session_.inspected_at = settings.inspect;
   session_.debug = settings.debug;
   session_.comparing = comparing_of(settings.comparing);
   session_.device = window_->device().info().name;
-  set_up_panels(window_->scale());
+  session_.environments = set_up_panels(window_->scale(), thumbnails_);
 }
 
 Application::~Application() {
@@ -46,6 +47,8 @@ void Application::screenshot() {
   open_first();
   const auto is_finished = [this] {
     if (!session_.scene || stale_ || quick_ || !picture_->done() || settling_ > 0) return false;
+    if (!settings_.second.empty())
+      return second_ && second_method_ == session_.second && second_->done();
     return settings_.truth == 0
            || (session_.report
                && (session_.report->samples >= settings_.truth

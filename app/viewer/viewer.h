@@ -20,6 +20,7 @@ struct Settings {
   std::string pick;              // the object of this name, to begin with
   std::optional<glm::vec2> inspect;     // the lobes there, 0..1 from the top left of the picture
   long truth = 0;                       // samples per pixel of a truth shown from the start
+  std::string second;                   // a method that stands in the truth's place from the start
   DebugKind debug = DebugKind::picture; // what is shown to begin with
   std::string comparing = "wipe";       // how: wipe, side-by-side, error, flip
 };

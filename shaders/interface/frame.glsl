@@ -18,6 +18,7 @@ struct FrameData {
     vec4 sunDirection;  // xyz: to the sun in the environment; w: half of its angular radius, sigma
     vec4 sunIrradiance; // xyz: across that direction, 0: there is none
     vec4 walls[12];     // of each: its centre, metres; and the two gradients, per metre, of where on it a place is, -1 to 1
+    vec4 background;    // w: 0, or sigma of the environment where nothing was drawn, radians; -1: there is radiance xyz instead
 };
 
 #ifndef __cplusplus

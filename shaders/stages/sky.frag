@@ -1,4 +1,4 @@
-// sky.frag: the environment itself where nothing was drawn, unblurred.
+// sky.frag: where nothing was drawn, the environment itself, unblurred unless that is asked for; or a plain colour.
 #version 450
 #include "interface/frame.glsl"
 #include "stages/environment.glsl"
@@ -11,5 +11,8 @@ void main() {
     // Through the point of this pixel that lies on the near plane (reversed depth: 1).
     vec4 near = frame.worldFromClip * vec4(inClip, 1.0, 1.0);
     vec3 direction = ofPixel(frame.eye.w) > 0.0 ? near.xyz / near.w - frame.eye.xyz : frame.viewDirection.xyz;
-    outColor = vec4(frame.environment.z * environmentSharp(stackEven, frame.stack, inEnvironment(direction)), 1.0);
+    vec3 seen = frame.background.w > 0.0
+        ? environmentRadiance(stackEven, stackOdd, frame.stack, inEnvironment(direction), frame.background.w)
+        : environmentSharp(stackEven, frame.stack, inEnvironment(direction));
+    outColor = vec4(frame.background.w < 0.0 ? frame.background.xyz : frame.environment.z * seen, 1.0);
 }

@@ -229,5 +229,24 @@ TEST(gaussian_stack, is_the_same_bytes_again) {
       EXPECT_EQ(device().read(one, 2, face), device().read(other, 2, face));
 }
 
+TEST(gaussian_stack, is_the_same_bytes_when_it_is_built_a_little_at_a_time) {
+  const Map map = picture_of(64, soft_lights);
+  const Stack a = build(device(), map);
+  Building building(device(), map);
+  double last = 0.0;
+  while (!building.advance()) {
+    EXPECT_GE(building.progress(), last);
+    EXPECT_LT(building.progress(), 1.0);
+    last = building.progress();
+  }
+  EXPECT_EQ(building.progress(), 1.0);
+  const Stack& b = building.stack();
+  EXPECT_EQ(a.shape, b.shape);
+  for (const auto& [one, other] :
+       {std::pair{a.even, b.even}, {a.odd, b.odd}, {a.irradiance, b.irradiance}})
+    for (int level = 0; level < one->desc.levels; ++level)
+      EXPECT_EQ(device().read(one, level, 3), device().read(other, level, 3));
+}
+
 } // namespace
 } // namespace gg::environment

@@ -1,6 +1,7 @@
 // The frame does what the needs say, and nothing more.
 #include "environment/stack.h"
 #include "frame/renderer.h"
+#include "needs/left_out.h"
 #include "render/shapes.h"
 #include "support/devices.h"
 #include "support/pictures.h"
@@ -199,6 +200,39 @@ TEST(needs, the_second_turn_about_a_scene_makes_nothing) {
     EXPECT_EQ(device->counters().created, before.created);
     EXPECT_EQ(device->counters().compiled, before.compiled);
   }
+}
+
+// What a feature is worth is told by the frame without it, which is that of a material that does not have it.
+TEST(needs, a_frame_without_a_feature_is_that_of_a_material_without_it) {
+  environment::Map map = environment::constant(glm::vec3(0.5f));
+  map.width = 4;
+  map.height = 2;
+  map.rgb.assign(24, 0.25f);
+  std::fill_n(map.rgb.begin(), 12, 1.0f);
+  const environment::Stack stack = environment::build(device(), map);
+  const auto draw = [&](const scene::Material& material, const std::string& without) {
+    const scene::Scene scene = ball(material);
+    frame::Renderer renderer(device(), scene,
+                             {.width = 24,
+                              .height = 24,
+                              .samples = 1,
+                              .camera = camera_at({0, 0, 4}),
+                              .environment = {.stack = &stack},
+                              .method = frame::Method::standard,
+                              .without = needs::left_out(without)});
+    renderer.draw();
+    return renderer.read().values;
+  };
+  scene::Material absorbs = glass(0.2f), coated = metal(0.3f);
+  absorbs.attenuation_color = {0.2f, 0.6f, 0.4f};
+  absorbs.attenuation_distance = 0.5f;
+  coated.clearcoat = 1.0f;
+  coated.clearcoat_roughness = 0.2f;
+  coated.iridescence = 1.0f;
+  EXPECT_TRUE(draw(absorbs, "absorption") == draw(glass(0.2f), ""));
+  EXPECT_FALSE(draw(absorbs, "") == draw(glass(0.2f), ""));
+  EXPECT_TRUE(draw(coated, "clearcoat,iridescence") == draw(metal(0.3f), ""));
+  EXPECT_FALSE(draw(coated, "clearcoat") == draw(metal(0.3f), ""));
 }
 
 } // namespace gg::test

@@ -46,6 +46,25 @@ frame::FrameDesc small(const scene::Camera& camera) {
 
 } // namespace
 
+TEST_P(Render, a_background_is_seen_and_lights_nothing) {
+  frame::FrameDesc desc = small(camera_at({0, 0, 6}));
+  const scene::Scene scene = ball(metal(0.3f));
+  const image::Image sharp = draw(scene, {directions(), desc});
+  desc.background.plain = glm::vec3(0.25f, 0.5f, 2.0f);
+  const image::Image plain = draw(scene, {directions(), desc});
+  EXPECT_EQ(rgb(plain, 0, 0), glm::dvec3(0.25, 0.5, 2.0));
+  EXPECT_EQ(rgb(plain, size / 2, size / 2), rgb(sharp, size / 2, size / 2));
+  // A Gaussian on the sphere takes exp(-sigma²) of what is linear in the direction.
+  constexpr double sigma = 0.15, interpolation = 0.004; // of cubes, whose texels are a degree there
+  desc.background = {.sigma = static_cast<float>(sigma), .plain = {}};
+  const image::Image blurred = draw(scene, {directions(), desc});
+  EXPECT_EQ(rgb(blurred, size / 2, size / 2), rgb(sharp, size / 2, size / 2));
+  for (const int at : {0, 20, size - 1}) {
+    EXPECT_NEAR(glm::length(2.0 * rgb(blurred, at, 5) - 1.0), std::exp(-sigma * sigma), interpolation);
+    EXPECT_LT(angle(shown(blurred, at, 5), shown(sharp, at, 5)), interpolation);
+  }
+}
+
 TEST_P(Render, sky_shows_each_direction_where_the_camera_looks) {
   const double half_a_pixel =
       0.5 * std::numbers::pi / 4.0 / size; // of the narrowest pixel, in the corners, and then some

@@ -62,6 +62,24 @@ TEST(truth_render, is_the_same_for_any_number_of_threads) {
   EXPECT_EQ(one.attributes, three.attributes);
 }
 
+TEST(truth_render, a_background_is_seen_by_the_camera_alone) {
+  const Setting& s = setting();
+  const Integrator plain(s.scene, &s.environment, std::nullopt,
+                         {.background = {.sigma = 0.0, .plain = glm::dvec3(0.25, 0.5, 4.0)}});
+  Film with(side, side);
+  truth::render(plain, s.camera, {.samples = 8}, with);
+  const Film without = s.render({.samples = 8});
+  EXPECT_EQ(with.mean(with.at(0, 0)), glm::dvec3(0.25, 0.5, 4.0));
+  int drawn = 0;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      if (const Pixel& pixel = with.at(x, y); pixel.object > 0) {
+        ++drawn;
+        EXPECT_EQ(with.mean(pixel), without.mean(without.at(x, y)));
+      }
+  EXPECT_GT(drawn, 0);
+}
+
 TEST(truth_render, another_seed_is_another_picture_of_the_same_thing) {
   const Film a = setting().render({.seed = 1, .samples = 64});
   const Film b = setting().render({.seed = 2, .samples = 64});

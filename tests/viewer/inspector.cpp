@@ -22,10 +22,14 @@ scene::Scene slab(float alpha) {
   scene.materials[0].exact_alpha = alpha;
   scene.streams.push_back(
       {3, {-9, -9, 0, 9, -9, 0, 9, 9, 0, -9, 9, 0, -9, -9, -1, 9, -9, -1, 9, 9, -1, -9, 9, -1}});
+  scene.streams.push_back(
+      {3, {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1}});
+  scene.streams.push_back({2, std::vector<float>(16, 0.5f)});
   scene.indices.push_back({0, 1, 2, 0, 2, 3, 6, 5, 4, 7, 6, 4});
   scene.indices.push_back({0, 1, 2, 0, 2, 3});
   for (scene::Index i = 0; i < 2; ++i) {
-    scene::Primitive primitive{.positions = 0, .indices = i, .material = i};
+    scene::Primitive primitive{
+        .positions = 0, .normals = 1, .uvs = {2}, .indices = i, .material = i};
     primitive.bounds.include({-9.0f, -9.0f, -1.0f});
     primitive.bounds.include({9.0f, 9.0f, 0.0f});
     scene.meshes.push_back({"", {primitive}});
@@ -84,6 +88,25 @@ TEST(inspector, fits_have_the_energy_and_the_place_of_the_exact_lobes) {
       EXPECT_LT(lobe->fit_at(brightest->angle), 1.2 * brightest->value) << alpha;
     }
   }
+}
+
+TEST(inspector, reads_maps_and_names_what_lies_over_the_surface) {
+  scene::Scene scene = slab(0.1f);
+  scene.images.push_back(std::make_shared<image::Image8>(
+      image::Image8{.width = 1, .height = 1, .rgba = {0, 128, 255, 255}}));
+  scene.textures.push_back({.image = 0});
+  scene::Material& m = scene.materials[0];
+  m.exact_alpha.reset();
+  m.metallic_roughness_map.texture = 0;
+  m.transmission = m.thickness = 0.0f;
+  m.clearcoat = 0.7f;
+  m.clearcoat_roughness = 0.3f;
+  const auto found = inspect(scene, ray_at(0.6), needs::Method::lobes2, false);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->alpha, std::pow(128.0 / 255.0, 2), 1e-6);
+  EXPECT_NEAR(found->coat, 0.7, 1e-6);
+  EXPECT_NEAR(found->coat_alpha, 0.09, 1e-6);
+  EXPECT_FALSE(found->film || found->brushed || found->mixed);
 }
 
 TEST(inspector, finds_nothing_beside) {

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """The viewer as a user has it, on a display without a screen: tests/viewer/window.py PROGRAM BACKEND NAME"""
+import base64
 import json
 import shlex
 import shutil
+import struct
 import subprocess
 import sys
 import time
@@ -68,7 +70,8 @@ def a_slider_changes_what_is_picked_and_undo_takes_it_back():
 
 
 def the_copied_line_reproduces_the_saved_picture():
-    with Desk() as desk, viewer(desk, "--exposure", "0.5", "--material", "*=,alpha=0.2", plain=False, size=(600, 240)).open() as v:
+    with Desk() as desk, viewer(desk, "--exposure", "0.5", "--material", "*=,alpha=0.2", "--background", "blurred",
+                                "--without", "neighbours", plain=False, size=(600, 240)).open() as v:
         v.drag((100, 150), (140, 160))
         v.key("s", "Control_L")
         words = shlex.split(v.read_line())
@@ -93,6 +96,8 @@ def a_dropped_scene_is_shown_and_a_broken_one_leaves_it():
         v.wait_for(lambda: (15, 15, 15) in {tuple(min(c, 15) for c in p) for p in colours(desk, 250, 20, 350, 22)}, "a message")
         time.sleep(1.0)
         assert "panes.glb" in v.copied()
+        v.drop(SOURCE / "assets/environments/studio_small_03_1k.hdr")
+        v.copied_when(lambda line: "studio_small_03_1k.hdr" in line, "the dropped environment")
         assert v.close() == 0, v.errors()
 
 
@@ -109,6 +114,23 @@ def the_truth_is_shown_beside_the_picture_and_the_wipe_is_dragged():
         v.wait_for(lambda: any(155 < x < 165 for x in bar()), "the bar again")
         v.drag((160, 120), (80, 120))
         v.wait_for(lambda: any(72 < x < 88 for x in bar()), "the bar where it was dragged to")
+        assert v.close() == 0, v.errors()
+
+
+def a_second_method_stands_in_the_truths_place():
+    with Desk() as desk, viewer(desk, "--no-panel", "--second", "lobes1", size=(320, 240)).open() as v:
+        def bar():
+            screen = desk.screen()
+            return any(screen[20][x] == screen[180][x] == (255, 255, 255) for x in range(155, 166))
+        v.wait_for(bar, "the bar between two methods")
+        v.rest()
+        both = desk.screen()
+        v.key("t")
+        v.wait_for(lambda: not bar(), "the first alone")
+        first = desk.screen()
+        right = lambda rows: [row[170:315] for row in rows[60:180]]
+        left = lambda rows: [row[5:150] for row in rows[60:180]]
+        assert left(both) == left(first) and right(both) != right(first), "the second is not beside the first"
         assert v.close() == 0, v.errors()
 
 
@@ -192,7 +214,18 @@ def debug_views_are_shown():
         v.wait_for(facing, "the normal of what faces the camera")
         for _ in range(3): # depth, layers, length inside
             v.key("v")
-        v.wait_for(lambda: desk.screen()[20][320] == (0, 0, 0) != desk.screen()[240][300], "the length in solids alone")
+        glass_alone = lambda: desk.screen()[20][320] == (0, 0, 0) != desk.screen()[240][300]
+        v.wait_for(glass_alone, "the length in solids alone")
+        v.key("v") # sigma of the lobe that passes
+        v.wait_for(glass_alone, "the width of what passes glass")
+        v.key("v") # share of the screen: between blue and orange
+        def mixed():
+            red, green, blue = desk.screen()[240][300]
+            t = (red / 255 - 0.13) / 0.87
+            return -0.02 < t < 1.02 and abs(green / 255 - (0.33 + 0.32 * t)) < 0.02 and abs(blue / 255 - (0.8 - 0.6 * t)) < 0.02
+        v.wait_for(mixed, "the share of the screen")
+        v.key("v") # lookups: everything that is drawn makes some
+        v.wait_for(lambda: desk.screen()[240][300] != (0, 0, 0) and not mixed(), "the lookups")
         v.key("v")
         v.wait_for(lambda: len(colours(desk, 10, 10, 600, 200)) > 100, "the picture")
         assert v.close() == 0, v.errors()
@@ -223,14 +256,57 @@ def the_second_turn_and_a_slider_that_moves_again_create_nothing():
         assert times["paced"]["first_time"]["resources_created"] > 0, "the smallest size was there already"
 
 
+def moving(path):
+    """A glTF file of a square that an animation moves for a second."""
+    floats = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0]
+    data = struct.pack("<20f6H", *floats, 0, 1, 2, 0, 2, 3)
+    view = lambda at, length: {"buffer": 0, "byteOffset": at, "byteLength": length}
+    accessor = lambda at, component, count, kind, **rest: {
+        "bufferView": at, "componentType": component, "count": count, "type": kind, **rest}
+    path.write_text(json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 3}]}],
+        "animations": [{"samplers": [{"input": 1, "output": 2}],
+                        "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}],
+        "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
+        "bufferViews": [view(0, 48), view(48, 8), view(56, 24), view(80, 12)],
+        "accessors": [accessor(0, 5126, 4, "VEC3", min=[-1, -1, 0], max=[1, 1, 0]),
+                      accessor(1, 5126, 2, "SCALAR", min=[0], max=[1]), accessor(2, 5126, 2, "VEC3"),
+                      accessor(3, 5123, 6, "SCALAR")]}))
+
+
+def an_animation_plays_and_stands_still():
+    with Desk() as desk:
+        scene = desk.path / "moving.gltf"
+        moving(scene)
+        with viewer(desk, "--no-panel", scene=str(scene), size=(320, 240)).open() as v:
+            assert not option(v.copied(), "--time")
+            v.key("p")
+            v.copied_when(lambda line: option(line, "--time") and float(option(line, "--time")[0]) > 0.1, "it does not play")
+            v.key("p")
+            v.rest()
+            line = v.copied()
+            time.sleep(0.5)
+            assert v.copied() == line and option(line, "--eye"), line
+            # What is shown is what the line says.
+            v.key("s", "Control_L")
+            words = shlex.split(v.read_line())
+            saved = (desk.path / "groundglass.png").read_bytes()
+            words[0] = PROGRAM
+            words[words.index("-o") + 1] = "captured.png"
+            subprocess.run(words, cwd=desk.path, check=True)
+            assert (desk.path / "captured.png").read_bytes() == saved
+            assert v.close() == 0, v.errors()
+
+
 def validation_is_silent():
     # The layer speaks on standard output where nobody listens to it.
-    with Desk() as desk, viewer(desk, plain=False, size=(640, 480), layers="VK_LAYER_KHRONOS_validation").open() as v:
-        for width in (700, 500, 640):
-            v.window.configure(width=width, height=480)
+    with Desk() as desk, viewer(desk, plain=False, size=(560, 240), layers="VK_LAYER_KHRONOS_validation").open() as v:
+        for width in (620, 500, 560):
+            v.window.configure(width=width, height=240)
             desk.display.sync()
             v.rest()
-        v.click(160, 240)
+        v.click(80, 120)
         v.key("t")
         v.rest()
         line = v.copied()

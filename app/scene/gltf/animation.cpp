@@ -142,6 +142,15 @@ void set(Document& document, int index, const std::string& path, std::vector<dou
 
 } // namespace
 
+std::vector<std::string> animation_names(const Document& document) {
+  std::vector<std::string> names;
+  for (const json& animation : document.animations()) {
+    names.push_back(name_of(animation));
+    if (names.back().empty()) names.back() = std::to_string(names.size() - 1);
+  }
+  return names;
+}
+
 Posed pose_at(Document& document, const Instant& instant) {
   const std::size_t index = chosen(document, instant.animation);
   const std::string place = fmt::format("animations[{}]", index);

@@ -1,0 +1,16 @@
+// Features that a frame can be drawn without, to see what each is worth.
+#pragma once
+
+#include "needs/features.h"
+
+#include <string>
+#include <vector>
+
+namespace gg::needs {
+
+// As `groundglass needs` calls them: "normal map", "dispersion", "neighbours", ...
+const std::vector<std::string>& names_to_leave_out();
+// Of names with a comma after each but the last; empty: none. Throws Error(usage) naming --without.
+FeatureSet left_out(const std::string& names);
+
+} // namespace gg::needs
