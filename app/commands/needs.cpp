@@ -1,5 +1,4 @@
 // groundglass needs: what drawing a scene takes, without drawing it.
-#include "needs/left_out.h"
 #include "needs/needs.h"
 
 #include "commands/commands.h"
@@ -8,6 +7,7 @@
 #include "core/error.h"
 #include "environment/stack.h"
 #include "frame/words.h"
+#include "needs/left_out.h"
 #include "needs/words.h"
 
 #include <fmt/core.h>

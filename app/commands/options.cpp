@@ -81,8 +81,9 @@ void add_view_options(Command command, SceneOptions& o) {
 }
 
 void add_background(Command command, SceneOptions& o) {
-  command.option("--background", &o.background,
-                 "What is behind everything: sharp, the environment itself; blurred; or a colour R,G,B");
+  command.option(
+      "--background", &o.background,
+      "What is behind everything: sharp, the environment itself; blurred; or a colour R,G,B");
 }
 
 void add_options(Command command, DeviceOptions& o) {
@@ -100,8 +101,9 @@ void add_options(Command command, MethodOptions& o) {
   command.option("--samples", &o.samples, "Sub-pixel samples averaged: antialiasing");
   command.option("--smith", &o.smith, "Shadowing: separable (Walter 2007) or correlated");
   command.flag("--multiscatter", o.multiscatter, "Give back the energy of multiple scattering");
-  command.option("--without", &o.without,
-                 "Draw without features, named as `needs` names them: 'normal map,dispersion,neighbours'");
+  command.option(
+      "--without", &o.without,
+      "Draw without features, named as `needs` names them: 'normal map,dispersion,neighbours'");
 }
 
 Size parse_size(const std::string& text) {
@@ -205,7 +207,8 @@ frame::Background background_of(const SceneOptions& o) {
                 "It takes the environment's place: leave one of them out.");
   if (o.background == "blurred") return {.sigma = blurred, .plain = {}};
   const auto color = as_vec3(o.background);
-  if (!color) refuse("--background", o.background, "Write sharp, blurred, or a colour: 0.2,0.2,0.2.");
+  if (!color)
+    refuse("--background", o.background, "Write sharp, blurred, or a colour: 0.2,0.2,0.2.");
   if (glm::any(glm::lessThan(*color, glm::vec3(0.0f))))
     refuse("--background", o.background, "Radiance is not negative.");
   return {.sigma = 0.0f, .plain = color};

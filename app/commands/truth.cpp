@@ -111,17 +111,17 @@ std::map<std::string, std::string> settings_of(const Options& o, const scene::Ca
   for (const std::string& material : o.scene.materials)
     materials += (materials.empty() ? "" : " ") + material;
   std::map<std::string, std::string> settings = {
-          {"scene", o.scene.scene},
-          {"materials", materials},
-          {"environment", o.scene.env.empty() ? "default" : o.scene.env},
-          {"environmentRotation", fmt::format("{}", o.scene.env_rotation)},
-          {"environmentIntensity", fmt::format("{}", o.scene.env_intensity)},
-          {"camera", numbers_of(camera)},
-          {"seed", std::to_string(o.seed)},
-          {"smith", o.smith},
-          {"scattering", o.multiscatter ? "multiple" : "single"},
-          {"clamp", o.clamp ? fmt::format("{}", *o.clamp) : ""},
-          {"transport", o.surface_only ? "surface only" : "full"}};
+      {"scene", o.scene.scene},
+      {"materials", materials},
+      {"environment", o.scene.env.empty() ? "default" : o.scene.env},
+      {"environmentRotation", fmt::format("{}", o.scene.env_rotation)},
+      {"environmentIntensity", fmt::format("{}", o.scene.env_intensity)},
+      {"camera", numbers_of(camera)},
+      {"seed", std::to_string(o.seed)},
+      {"smith", o.smith},
+      {"scattering", o.multiscatter ? "multiple" : "single"},
+      {"clamp", o.clamp ? fmt::format("{}", *o.clamp) : ""},
+      {"transport", o.surface_only ? "surface only" : "full"}};
   if (o.scene.background != SceneOptions{}.background) settings["background"] = o.scene.background;
   return settings;
 }

@@ -171,7 +171,8 @@ void check(const Options& o) {
   if (!o.settings.second.empty()) {
     find_method(o.settings.second, "--second");
     if (o.settings.truth > 0)
-      throw Error(ExitCode::usage, "--second", "is given with --truth", "Choose one: it stands in its place.");
+      throw Error(ExitCode::usage, "--second", "is given with --truth",
+                  "Choose one: it stands in its place.");
   }
   needs::left_out(o.method.without);
   background_of(o.scene);
@@ -261,10 +262,10 @@ void add_view(Command program) {
                  "Write the finished window to this .png, and end");
   command.option("--pick", &settings.pick,
                  "With --screenshot-window: pick the object of this name");
-  command.option(
-      "--debug-view", &options->debug_view,
-      "In the picture's place: normals, depth, 'interior layers', 'path length inside', 'sigma in pixels', 'screen share' or "
-      "samples");
+  command.option("--debug-view", &options->debug_view,
+                 "In the picture's place: normals, depth, 'interior layers', 'path length inside', "
+                 "'sigma in pixels', 'screen share' or "
+                 "samples");
   command.option("--inspect", &options->inspect,
                  "Show the lobes at this place of the picture, X,Y from 0,0, its top left, to 1,1");
   command.option("--truth", &settings.truth, "Begin with the truth, of so many samples per pixel");

@@ -90,7 +90,7 @@ public:
   const Stack& stack() const { return stack_; }
 
 private:
-  void start_sharp();   // and work out what the others take meanwhile
+  void start_sharp(); // and work out what the others take meanwhile
   void start_blurred();
   void create_cubes();
   void sharp(const Sharp& prepared);
@@ -122,9 +122,9 @@ private:
   // In turn: what a step hands on to the next blur, radiance times weight and the weight.
   gpu::View handed_[2];
   // Last: they read the map and the plan.
-  std::future<Sharp> for_sharp_;     // until they are taken
+  std::future<Sharp> for_sharp_; // until they are taken
   std::future<Blurred> for_blurred_;
-  std::size_t left_ = 0;             // steps, once all are known
+  std::size_t left_ = 0; // steps, once all are known
   bool done_ = false;
 };
 
@@ -149,12 +149,12 @@ Building::Builder::Builder(gpu::Device& device, const Map& map)
 }
 
 gpu::TextureRef Building::Builder::cube(const std::string& label, int size, int level_count,
-                              gpu::Format format) {
+                                        gpu::Format format) {
   return device_.create(cube_desc(map_.name + ": " + label, size, level_count, format));
 }
 
-gpu::View Building::Builder::filled(const std::string& label, int width, int height, gpu::Format format,
-                          std::span<const float> values) {
+gpu::View Building::Builder::filled(const std::string& label, int width, int height,
+                                    gpu::Format format, std::span<const float> values) {
   const auto texture = device_.create(gpu::TextureDesc{.label = label,
                                                        .format = format,
                                                        .width = width,

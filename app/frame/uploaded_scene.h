@@ -27,7 +27,9 @@ public:
   // Uploads what is not there yet; `needs` must outlive this or the next call.
   void set(const needs::Needs& needs);
 
-  void forget_geometry() { streams_.clear(), indices_.clear(); } // before set(): meshes have changed
+  void forget_geometry() {
+    streams_.clear(), indices_.clear();
+  } // before set(): meshes have changed
 
   const needs::Needs& needs() const { return *needs_; }
   // Of what the needs list.

@@ -184,8 +184,7 @@ Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes) {
                             .correlated_smith = view.correlated_smith,
                             .multiple_scattering = view.multiple_scattering,
                             .environment = view.environment.has_value(),
-                            .lights = !scene.lights.empty()
-                                      && !has(view.without, Feature::lights),
+                            .lights = !scene.lights.empty() && !has(view.without, Feature::lights),
                             .without = view.without};
   const glm::dmat4 clip = clip_from_world(view);
   const glm::vec3 eye(view.camera.world[3]);

@@ -116,9 +116,9 @@ std::vector<const MapKind*> maps_of(const scene::Scene& scene, const Material& m
                        || map.feature == Feature::clearcoat_normal_map
                        || map.feature == Feature::anisotropy_map;
     if (bends && primitive.tangents == scene::none) continue;
-    if (map.feature == Feature::anisotropy_map ? anisotropy_lobes(m, primitive) > 0
-                                                     && !has(frame.without, Feature::anisotropy)
-                                               : matters(map, m, shading, frame))
+    if (map.feature == Feature::anisotropy_map
+            ? anisotropy_lobes(m, primitive) > 0 && !has(frame.without, Feature::anisotropy)
+            : matters(map, m, shading, frame))
       maps.push_back(&map);
   }
   return maps;

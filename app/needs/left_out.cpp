@@ -60,10 +60,10 @@ FeatureSet left_out(const std::string& names) {
   for (std::string name; std::getline(in, name, ',');) {
     const auto* const found = std::ranges::find(entries, name, &Entry::name);
     if (found == std::end(entries))
-      throw Error(ExitCode::usage, "--without", "'" + name + "' is not known",
-                  did_you_mean(name, names_to_leave_out())
-                      + fmt::format("What can be left out: {}.",
-                                    fmt::join(names_to_leave_out(), ", ")));
+      throw Error(
+          ExitCode::usage, "--without", "'" + name + "' is not known",
+          did_you_mean(name, names_to_leave_out())
+              + fmt::format("What can be left out: {}.", fmt::join(names_to_leave_out(), ", ")));
     set.set(static_cast<std::size_t>(found->feature));
   }
   return set;

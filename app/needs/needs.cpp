@@ -113,8 +113,7 @@ Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes) {
       find_neighbours(needs.draws, scene, *needs.proxies);
   }
   if (!has(view.without, Feature::lights))
-    needs.shadows =
-        shadow_maps_of(scene, view, needs.draws, *shapes, needs.proxies.get());
+    needs.shadows = shadow_maps_of(scene, view, needs.draws, *shapes, needs.proxies.get());
   mark_fine(needs.draws.all, view);
   needs.bounds = bounds_of(needs.draws.all, scene.bounds);
   sort_opaque(needs);

@@ -169,7 +169,7 @@ struct Posed {
 
 struct Scene {
   std::string path;
-  std::optional<Posed> posed; // nothing: the nodes as they stand in the file
+  std::optional<Posed> posed;          // nothing: the nodes as they stand in the file
   std::vector<std::string> animations; // of the file: names, or indices of those that have none
   std::vector<Stream> streams;
   std::vector<Indices> indices;

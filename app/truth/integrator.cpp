@@ -46,7 +46,8 @@ Sample Integrator::trace(const Ray& camera_ray, Random& random) const {
 void Integrator::advance(Walk& walk, Path path) const {
   while (true) {
     const std::optional<Hit> hit = geometry_.intersect(path.ray);
-    if (!hit) return walk.sample.object == 0 ? add_background(walk, path) : add_environment(walk, path);
+    if (!hit)
+      return walk.sample.object == 0 ? add_background(walk, path) : add_environment(walk, path);
     const glm::dvec3 direction = path.ray.direction;
     const Crossing crossing =
         cross(*hit, direction, path.where, geometry_, media_, surfaces_, walk.random, Holes::drawn);
@@ -134,8 +135,7 @@ void Integrator::add_background(Walk& walk, const Path& path) const {
   const glm::dvec3 d = path.ray.direction;
   const glm::dvec3 side = std::abs(d.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
   const glm::dvec3 x = glm::normalize(glm::cross(side, d)), y = glm::cross(d, x);
-  const glm::dvec3 blurred =
-      glm::normalize(d + radius * (std::cos(turn) * x + std::sin(turn) * y));
+  const glm::dvec3 blurred = glm::normalize(d + radius * (std::cos(turn) * x + std::sin(turn) * y));
   add(walk, path, path.throughput * environment_->radiance(environment_->place_of(blurred)));
 }
 

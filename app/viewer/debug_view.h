@@ -19,8 +19,8 @@ enum class DebugKind {
   interior_layers,
   path_length,
   sigma_in_pixels, // of the lobe that passes, where it meets something; this one and those below: sight.h
-  screen_share,    // of that lobe: what meets something that the picture shows
-  samples          // of the blurred surroundings: a pixel's lookups in all its samples
+  screen_share, // of that lobe: what meets something that the picture shows
+  samples       // of the blurred surroundings: a pixel's lookups in all its samples
 };
 inline constexpr const char* debug_names[] = {
     "picture",         "normals",      "depth",  "interior layers", "path length inside",
@@ -31,8 +31,9 @@ public:
   explicit DebugView(gpu::Device& device) : device_(device) {}
 
   struct Drawn {
-    image::Image colours;  // for display
-    double greatest = 0.0; // what the brightest colour stands for: metres, layers, pixels or lookups
+    image::Image colours; // for display
+    double greatest =
+        0.0; // what the brightest colour stands for: metres, layers, pixels or lookups
   };
   // Straight along the line of sight, from outside of solids; meshes as the picture culls them. Normals to path_length.
   Drawn draw(DebugKind kind, const scene::Scene& scene, const scene::Camera& camera, int width,

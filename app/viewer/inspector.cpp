@@ -31,7 +31,8 @@ Reflector reflector_of(const truth::Surface& s) {
   const auto mean = [](const glm::dvec3& v) { return (v.x + v.y + v.z) / 3.0; };
   const scene::Material& m = *s.material;
   if (m.conductor)
-    return {.eta = 0.0, .n = mean(glm::dvec3(m.conductor->n)), .k = mean(glm::dvec3(m.conductor->k))};
+    return {
+        .eta = 0.0, .n = mean(glm::dvec3(m.conductor->n)), .k = mean(glm::dvec3(m.conductor->k))};
   if (s.metallic >= 0.5) {
     // Of a colour at normal incidence alone: the real index that reflects as much.
     const double root = std::sqrt(std::min(mean(s.base_color), 0.99));
@@ -43,9 +44,8 @@ Reflector reflector_of(const truth::Surface& s) {
 // What the path tracer would read where the cursor is.
 truth::Surface surface_at(const scene::Scene& scene, const Picked& hit, const glm::dvec3& wo) {
   const scene::Instance& instance = scene.instances[static_cast<std::size_t>(hit.instance)];
-  const scene::Primitive& primitive =
-      scene.meshes[static_cast<std::size_t>(instance.mesh)]
-          .primitives[static_cast<std::size_t>(hit.primitive)];
+  const scene::Primitive& primitive = scene.meshes[static_cast<std::size_t>(instance.mesh)]
+                                          .primitives[static_cast<std::size_t>(hit.primitive)];
   const glm::dmat4 world(instance.world);
   const truth::Part part{.primitive = &primitive,
                          .material = &scene.materials[static_cast<std::size_t>(hit.material)],

@@ -31,15 +31,15 @@ struct InspectedLobe {
 
 struct Inspection {
   scene::Index instance = scene::none, material = scene::none;
-  double alpha = 0.0;              // with what the material's maps say there
-  double incidence = 0.0;          // radians
-  double eta = 0.0;                // the material's IOR over 1; 0 for metals
+  double alpha = 0.0;     // with what the material's maps say there
+  double incidence = 0.0; // radians
+  double eta = 0.0;       // the material's IOR over 1; 0 for metals
   // What lies over the surface and is left out of the lobes below: a coat (its share and width), a thin film. A brushed surface is
   // taken by its mean width.
   double coat = 0.0, coat_alpha = 0.0;
   bool film = false, brushed = false;
-  bool mixed = false; // of metal and dielectric: the lobes are of the one that there is more of
-  double fresnel = 0.0;            // F of the smooth surface; 1 - F is the rest
+  bool mixed = false;   // of metal and dielectric: the lobes are of the one that there is more of
+  double fresnel = 0.0; // F of the smooth surface; 1 - F is the rest
   InspectedLobe reflected, passes; // `passes` is empty where nothing does
   // Of glass with an inside: along the ray that Snell's law gives.
   struct Exit {

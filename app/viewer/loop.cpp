@@ -20,7 +20,8 @@ void Application::loop() {
 }
 
 bool Application::is_busy() const {
-  if (settling_ > 0 || building_ || session_.playing || loading_.ready() || truth_.ready() || shaders_.ready() || session_.turntable)
+  if (settling_ > 0 || building_ || session_.playing || loading_.ready() || truth_.ready()
+      || shaders_.ready() || session_.turntable)
     return true;
   if (!session_.scene || broken_) return false;
   return stale_ || quick_ || !picture_->done()

@@ -93,8 +93,8 @@ void draw_animation_panel(Session& session) {
   ImGui::SameLine();
   float time = view.time.value_or(0.0f);
   ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::SliderFloat("##time", &time, 0.0f, posed ? std::max(posed->end, 1e-3f) : 1.0f, "%.3f s",
-                         ImGuiSliderFlags_AlwaysClamp)) {
+  if (ImGui::SliderFloat("##time", &time, 0.0f, posed ? std::max(posed->end, 1e-3f) : 1.0f,
+                         "%.3f s", ImGuiSliderFlags_AlwaysClamp)) {
     view.time = time;
     session.playing = false;
     session.requests.pose = true;
@@ -235,8 +235,7 @@ std::vector<Thumbnail> set_up_panels(float scale, Thumbnails& thumbnails) {
   // Debian's fonts-dejavu-core; without it, Dear ImGui's own letters.
   const fs::path font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
   std::error_code none;
-  if (fs::exists(font, none))
-    io.Fonts->AddFontFromFileTTF(font.c_str(), std::round(14.0f * scale));
+  if (fs::exists(font, none)) io.Fonts->AddFontFromFileTTF(font.c_str(), std::round(14.0f * scale));
   return thumbnails.in_atlas(scale);
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double mib = 1048576.0;
 
-void draw_row(const std::string& label, double ms, const std::string& draws, const std::string& bytes) {
+void draw_row(const std::string& label, double ms, const std::string& draws,
+              const std::string& bytes) {
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(label.c_str());
   ImGui::TableNextColumn();

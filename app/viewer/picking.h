@@ -18,7 +18,7 @@ Ray ray_through(const scene::Camera& camera, const glm::vec2& point, float aspec
 struct Picked {
   scene::Index instance = scene::none, primitive = scene::none, material = scene::none;
   float distance = 0.0f;
-  glm::vec3 position{0.0f}, normal{0.0f}; // of the triangle, towards its front
+  glm::vec3 position{0.0f}, normal{0.0f};  // of the triangle, towards its front
   std::array<std::uint32_t, 3> vertices{}; // of the triangle, in the primitive's streams
   glm::vec3 weights{0.0f};                 // of these: barycentric
 };

@@ -19,7 +19,8 @@ void Picture::open_as(const Picture& other) {
 namespace {
 
 bool same_vertices(const scene::Scene& a, const scene::Scene& b) {
-  return std::ranges::equal(a.streams, b.streams, {}, &scene::Stream::values, &scene::Stream::values);
+  return std::ranges::equal(a.streams, b.streams, {}, &scene::Stream::values,
+                            &scene::Stream::values);
 }
 
 } // namespace

@@ -22,7 +22,7 @@ public:
   // Replaces what is drawn; the map may be null. Nothing is drawn before set(). Throws Error. Of the scene a copy is drawn, whose
   // origin is where the camera is.
   void open(std::shared_ptr<const scene::Scene> scene);
-  void open_as(const Picture& other);              // the same copy: both have one camera
+  void open_as(const Picture& other); // the same copy: both have one camera
   // The same scene at another time of its animation.
   void pose(std::shared_ptr<const scene::Scene> scene);
   void light(std::shared_ptr<const environment::Stack> stack); // another environment; null: none

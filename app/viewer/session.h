@@ -45,11 +45,11 @@ struct Session {
   std::optional<Picked> picked;
   bool edit_all = false; // all materials instead of the picked object's
   History history;
-  std::string loading;             // a file that is being read, and how far it is
-  std::string message;             // what went wrong, until it is closed
-  std::string shader_message;      // the compiler's, until it has nothing to say
-  std::string said;                // what was done last, for the status line
-  std::vector<std::string> recent; // scenes, the last first
+  std::string loading;                 // a file that is being read, and how far it is
+  std::string message;                 // what went wrong, until it is closed
+  std::string shader_message;          // the compiler's, until it has nothing to say
+  std::string said;                    // what was done last, for the status line
+  std::vector<std::string> recent;     // scenes, the last first
   std::vector<Thumbnail> environments; // that come with the program
 
   bool panel = true;

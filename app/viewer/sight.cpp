@@ -47,7 +47,8 @@ double pixels_per_unit(const scene::Camera& camera, int height) {
 } // namespace
 
 struct Sight::Tracer {
-  explicit Tracer(std::shared_ptr<const scene::Scene> of) : scene(std::move(of)), geometry(*scene) {}
+  explicit Tracer(std::shared_ptr<const scene::Scene> of)
+      : scene(std::move(of)), geometry(*scene) {}
   std::shared_ptr<const scene::Scene> scene;
   truth::Geometry geometry;
 
@@ -78,8 +79,7 @@ std::optional<Lobe> Sight::Tracer::lobe(const truth::Hit& hit, const glm::dvec3&
     }
     sigma = std::sqrt(std::max(square - mean * mean, 0.0));
   }
-  if (!(m.thickness > 0.0f))
-    return Lobe{geometry.leave(hit, direction), direction, sigma, 0.0};
+  if (!(m.thickness > 0.0f)) return Lobe{geometry.leave(hit, direction), direction, sigma, 0.0};
 
   const auto refracted = [](const glm::dvec3& d, const glm::dvec3& n, double relative) {
     const f64::vec3 wi = f64::refractAbout(-d, n, relative);
@@ -140,8 +140,7 @@ DebugView::Drawn Sight::draw(const Seen& seen, const needs::Needs& needs) const 
   std::map<std::pair<std::ptrdiff_t, std::ptrdiff_t>, int> lookups;
   for (const needs::Draw& draw : needs.draws.all) {
     const scene::Instance* instance = needs.draws.instances[draw.instance_index];
-    const auto& parts =
-        needs.scene->meshes[static_cast<std::size_t>(instance->mesh)].primitives;
+    const auto& parts = needs.scene->meshes[static_cast<std::size_t>(instance->mesh)].primitives;
     lookups[{instance - needs.scene->instances.data(), draw.primitive - parts.data()}] =
         needs::lookups_of(draw, needs.view.method).sum();
   }
@@ -150,8 +149,7 @@ DebugView::Drawn Sight::draw(const Seen& seen, const needs::Needs& needs) const 
     if (seen.kind == DebugKind::samples) {
       const auto& of = tracer_->scene->instances[static_cast<std::size_t>(hit.part->instance)];
       const auto& parts = tracer_->scene->meshes[static_cast<std::size_t>(of.mesh)].primitives;
-      const auto found =
-          lookups.find({hit.part->instance, hit.part->primitive - parts.data()});
+      const auto found = lookups.find({hit.part->instance, hit.part->primitive - parts.data()});
       return found == lookups.end() ? -1.0 : seen.samples * found->second;
     }
     const auto lobe = tracer_->lobe(hit, direction, needs.view);
@@ -162,8 +160,8 @@ DebugView::Drawn Sight::draw(const Seen& seen, const needs::Needs& needs) const 
 
   // One line of sight for each square of pixels: some 20,000 of them.
   const double wanted = seen.coarse ? 2000.0 : 20000.0;
-  const int side = std::max(1, static_cast<int>(std::ceil(std::sqrt(
-                                   static_cast<double>(seen.width) * seen.height / wanted))));
+  const int side = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(seen.width)
+                                                                    * seen.height / wanted))));
   const int columns = (seen.width + side - 1) / side, rows = (seen.height + side - 1) / side;
   const truth::Camera camera(seen.camera, seen.width, seen.height);
   const glm::dmat4 clip =

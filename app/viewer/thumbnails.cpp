@@ -25,8 +25,10 @@ std::vector<unsigned char> shrunk(const image::Image& map) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       std::array<float, 3> sum{};
-      const int top = y * map.height / height, bottom = std::max(top + 1, (y + 1) * map.height / height);
-      const int left = x * map.width / width, right = std::max(left + 1, (x + 1) * map.width / width);
+      const int top = y * map.height / height,
+                bottom = std::max(top + 1, (y + 1) * map.height / height);
+      const int left = x * map.width / width,
+                right = std::max(left + 1, (x + 1) * map.width / width);
       for (int v = top; v < bottom; ++v)
         for (int u = left; u < right; ++u)
           for (int c = 0; c < 3; ++c)

@@ -10,7 +10,8 @@ namespace gg::viewer {
 
 struct Thumbnail {
   std::string path;
-  std::array<float, 4> place{}; // in Dear ImGui's atlas of letters: u and v of its top left, and of its bottom right
+  std::array<float, 4>
+      place{}; // in Dear ImGui's atlas of letters: u and v of its top left, and of its bottom right
 };
 
 class Thumbnails {

@@ -60,7 +60,8 @@ TEST_P(Render, a_background_is_seen_and_lights_nothing) {
   const image::Image blurred = draw(scene, {directions(), desc});
   EXPECT_EQ(rgb(blurred, size / 2, size / 2), rgb(sharp, size / 2, size / 2));
   for (const int at : {0, 20, size - 1}) {
-    EXPECT_NEAR(glm::length(2.0 * rgb(blurred, at, 5) - 1.0), std::exp(-sigma * sigma), interpolation);
+    EXPECT_NEAR(glm::length(2.0 * rgb(blurred, at, 5) - 1.0), std::exp(-sigma * sigma),
+                interpolation);
     EXPECT_LT(angle(shown(blurred, at, 5), shown(sharp, at, 5)), interpolation);
   }
 }
