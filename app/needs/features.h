@@ -75,6 +75,9 @@ enum class Feature : std::uint32_t {
   iridescence_map,
   iridescence_thickness_map,
   faces_differ, // base colour or clear share vary over the faces of a solid
+  diffuse_transmission,
+  diffuse_transmission_map,
+  diffuse_transmission_color_map,
   count
 };
 using FeatureSet = std::bitset<static_cast<std::size_t>(Feature::count)>;
@@ -102,6 +105,11 @@ int anisotropy_lobes(const scene::Material& material, const scene::Primitive& pr
 // True for a material that light passes by refraction. Its alpha mode does not matter.
 bool is_refractive(const scene::Material& material);
 
+// Glass that is brushed is drawn as rough alike in all directions, of the same variance of slopes: its tables know one width.
+bool is_brushed_glass(const scene::Material& material);
+// The width of D that is drawn for one of the material's, of its front or its back.
+float drawn_alpha(const scene::Material& material, float alpha);
+
 // True for glass of index 1 that neither tints, absorbs nor glows: it shows what is behind it, to the bit, so it need not
 // be drawn.
 bool is_invisible(const scene::Material& material, const scene::Primitive& primitive);
@@ -125,7 +133,7 @@ struct MapKind {
   Feature feature;
   bool srgb;
 };
-inline constexpr std::array<MapKind, 15> map_kinds = {{
+inline constexpr std::array<MapKind, 17> map_kinds = {{
     {"baseColorMap", &scene::Material::base_color_map, Feature::base_color_map, true},
     {"metallicRoughnessMap", &scene::Material::metallic_roughness_map,
      Feature::metallic_roughness_map, false},
@@ -145,6 +153,10 @@ inline constexpr std::array<MapKind, 15> map_kinds = {{
     {"iridescenceMap", &scene::Material::iridescence_map, Feature::iridescence_map, false},
     {"iridescenceThicknessMap", &scene::Material::iridescence_thickness_map,
      Feature::iridescence_thickness_map, false},
+    {"diffuseTransmissionMap", &scene::Material::diffuse_transmission_map,
+     Feature::diffuse_transmission_map, false},
+    {"diffuseTransmissionColorMap", &scene::Material::diffuse_transmission_color_map,
+     Feature::diffuse_transmission_color_map, true},
 }};
 
 struct Features {

@@ -185,6 +185,8 @@ Closure Integrator::closure_at(const Intersection& intersection, double power) c
   }
   // A wall is one surface, of which the clear share is met once; a plate has two.
   Surface clear = s;
+  clear.coat.reset();
+  clear.film.reset();
   if (!intersection.from_within()) {
     clear.metallic = 0.0;
     clear.transmission = 1.0;
@@ -222,7 +224,8 @@ void Integrator::follow(Walk& walk, Path path, Intersection m, const Drawn& draw
   using Face = Intersection::Face;
   const bool alone = settings_.transport == Transport::surface_only;
   const bool across = drawn.transmitted;
-  const double eta2 = across ? eta * eta : 1.0;
+  const bool refracted = across && m.surface.kind != SurfaceKind::opaque;
+  const double eta2 = refracted ? eta * eta : 1.0;
   path.throughput *= drawn.weight;
   path.scattered = true;
 

@@ -123,12 +123,12 @@ glm::dvec3 Surfaces::normal(const Hit& hit, const Basis& b, const scene::Slot& b
   return length > 0.0 && std::isfinite(length) ? n / length : hit.normal;
 }
 
-// What lies over the base and how it is brushed: KHR_materials_clearcoat, _iridescence, _anisotropy. All are of
-// opaque surfaces, as in the raster.
+// What lies over the base and how it is brushed: KHR_materials_clearcoat, _iridescence, _anisotropy. Coats and films lie on the
+// outside of glass; a wall's own faces are told apart by the integrator.
 void Surfaces::read_layers(const Hit& hit, const Basis& b, Surface& s) const {
   const Material& m = *s.material;
-  const bool opaque = s.kind == SurfaceKind::opaque;
-  if (m.clearcoat > 0.0f && opaque) {
+  const bool outside = s.kind != SurfaceKind::solid || s.front;
+  if (m.clearcoat > 0.0f && outside) {
     const double roughness = static_cast<double>(m.clearcoat_roughness)
                              * map(hit, m.clearcoat_roughness_map, Encoding::linear).y;
     const glm::dvec3 n = normal(hit, b, m.clearcoat_normal_map);
@@ -137,7 +137,7 @@ void Surfaces::read_layers(const Hit& hit, const Basis& b, Surface& s) const {
                   .alpha = roughness * roughness,
                   .n = face_viewer(s.front ? n : -n, s.wo)};
   }
-  if (m.iridescence > 0.0f && opaque) {
+  if (m.iridescence > 0.0f && outside) {
     const double at = map(hit, m.iridescence_thickness_map, Encoding::linear).y;
     const glm::dvec2 thickness(m.iridescence_thickness);
     s.film = ThinFilm{.share = static_cast<double>(m.iridescence)
@@ -146,7 +146,7 @@ void Surfaces::read_layers(const Hit& hit, const Basis& b, Surface& s) const {
                       .thickness = thickness.x + (thickness.y - thickness.x) * at};
     if (!(s.film->thickness > 0.0)) s.film.reset();
   }
-  if (m.anisotropy_strength > 0.0f && opaque && m.distribution == scene::Distribution::ggx
+  if (m.anisotropy_strength > 0.0f && m.distribution == scene::Distribution::ggx
       && hit.part->primitive->tangents != scene::none) {
     double strength = static_cast<double>(m.anisotropy_strength);
     glm::dvec2 along(1.0, 0.0);
@@ -214,6 +214,13 @@ Surface Surfaces::read(const Hit& hit, const glm::dvec3& wo) const {
                   + static_cast<double>(m.occlusion_map.scale)
                         * (map(hit, m.occlusion_map, Encoding::linear).x - 1.0);
   s.emissive = glm::dvec3(m.emissive) * glm::dvec3(map(hit, m.emissive_map, Encoding::srgb));
+  if (s.kind == SurfaceKind::opaque && m.diffuse_transmission > 0.0f) {
+    s.diffuse_transmission = static_cast<double>(m.diffuse_transmission)
+                             * map(hit, m.diffuse_transmission_map, Encoding::linear).w;
+    s.diffuse_transmission_color =
+        glm::dvec3(m.diffuse_transmission_color)
+        * glm::dvec3(map(hit, m.diffuse_transmission_color_map, Encoding::srgb));
+  }
   read_layers(hit, b, s);
   if (s.coat) // what the base emits is under it
     s.emissive *= 1.0 - glsl::f64::coatShare(s.coat->strength, glm::dot(s.coat->n, s.wo));
@@ -240,7 +247,8 @@ Interface interface_of(const Surface& s, double near_ior, double far_ior, Smith 
     i.tinted = TintedReflectance{glm::min(f0 * s.specular_color, glm::dvec3(1.0)) * s.specular,
                                  s.specular};
   }
-  i.diffuse = (1.0 - s.transmission) * s.base_color;
+  i.diffuse = (1.0 - s.transmission) * (1.0 - s.diffuse_transmission) * s.base_color;
+  i.diffuse_behind = s.diffuse_transmission * s.diffuse_transmission_color;
   i.transmit = s.transmission * tint;
   if (from_within) i.coated = s.transmission;
   i.coat = s.coat;

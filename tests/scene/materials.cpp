@@ -132,14 +132,13 @@ TEST(materials, what_is_not_drawn_yet_is_listed_by_name) {
   auto file = with_material({{"extensions",
                               {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}},
                                {"KHR_materials_transmission", {{"transmissionFactor", 0}}},
-                               {"KHR_materials_anisotropy", {{"anisotropyStrength", 0.1}}}}},
+                               {"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 0.1}}}}},
                              {"pbrMetallicRoughness", {{"metallicFactor", 0.5}}}});
   EXPECT_TRUE(scene::undrawn(scene::load(file.save())).empty());
   auto& extensions = file.json["materials"][0]["extensions"];
   extensions["KHR_materials_transmission"]["transmissionFactor"] = 0.5;
   EXPECT_EQ(scene::undrawn(scene::load(file.save())),
-            (std::vector<std::string>{"KHR_materials_anisotropy on glass",
-                                      "KHR_materials_clearcoat on glass"}));
+            (std::vector<std::string>{"KHR_materials_diffuse_transmission on glass"}));
 }
 
 TEST(textures, png_and_webp_are_decoded) {
@@ -268,6 +267,20 @@ TEST(presets, of_finishes_keep_the_rest_of_the_material) {
   EXPECT_EQ(scene::microfacet_alpha(m), 0.15f);
   EXPECT_EQ(m.base_color_map.texture, before.base_color_map.texture);
   EXPECT_FALSE(m.conductor.has_value());
+}
+
+TEST(presets, brush_what_has_texture_coordinates) {
+  auto scene = scene::load(asset("scenes/Suzanne/Suzanne.gltf"));
+  scene::Primitive& p = scene.meshes.at(0).primitives.at(0);
+  p.tangents = scene::none;
+  scene::apply_material(scene, "*=gold,anisotropy=0.5,anisotropy_rotation=90");
+  EXPECT_EQ(scene.materials.at(0).anisotropy_strength, 0.5f);
+  EXPECT_NEAR(scene.materials.at(0).anisotropy_rotation, 1.5707963f, 1e-6f);
+  ASSERT_NE(p.tangents, scene::none);
+  const auto at = [&](scene::Index i) { return scene.streams[static_cast<std::size_t>(i)]; };
+  EXPECT_EQ(at(p.tangents).count(), at(p.positions).count());
+  for (const std::uint32_t i : scene.indices[static_cast<std::size_t>(p.indices)])
+    ASSERT_LT(i, at(p.positions).count());
 }
 
 TEST(presets, reach_materials_by_name_and_by_number) {
