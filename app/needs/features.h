@@ -81,6 +81,7 @@ enum class Feature : std::uint32_t {
   iridescence_map,
   iridescence_thickness_map,
   faces_differ, // base colour or clear share vary over the faces of a solid
+  hollows, // vertices know how much of what they see is their own mesh
   count
 };
 enum class Shading { unlit, dielectric, metal, mixed, conductor };

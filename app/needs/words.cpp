@@ -41,6 +41,7 @@ constexpr FeatureName names[] = {
     {Feature::iridescence_map, "iridescence map"},
     {Feature::iridescence_thickness_map, "iridescence thickness map"},
     {Feature::vertex_color, "vertex color"},
+    {Feature::hollows, "hollows"},
     {Feature::alpha_given, "alpha given"},
     {Feature::correlated_smith, "correlated smith"},
     {Feature::multiple_scattering, "multiple scattering"},

@@ -33,6 +33,7 @@ vec3 reflectedRadiance(Surface s, vec3 direction, float sigma) {
 }
 
 #include "stages/brushed.glsl"
+#include "stages/hollows.glsl"
 
 // The reflection lobe: what arrives along the lobe is seen times the weight. And all else that the surroundings make of the
 // surface: diffuse light under it, and what scattered more than once.
@@ -97,7 +98,9 @@ vec3 environmentLight(Surface s) {
             sum += lobe.weight * reflectedRadiance(s, lobe.direction, lobe.sigma);
         }
     }
-    return light.diffuse + light.weight * sum;
+    vec3 all = light.diffuse + light.weight * sum;
+    if (hasHollows) all *= reachesHollow(s, light.weight);
+    return all;
 }
 
 // All lobes but the first as one of the same mean and variance (per axis half of the squared distances): for glass, where little is

@@ -44,6 +44,7 @@ layout(constant_id = 38) const bool hasFilm = false; // KHR_materials_iridescenc
 layout(constant_id = 39) const int iridescenceMapUv = 0;
 layout(constant_id = 40) const int iridescenceThicknessMapUv = 0;
 layout(constant_id = 41) const bool facesDiffer = false; // base colour or clear share vary over the faces of a solid
+layout(constant_id = 42) const bool hasHollows = false; // vertices know how much of what they see is their own mesh
 layout(constant_id = 26) const int interiorPairs = 0; // of front and back faces that the inside is followed through
 
 const bool hasLights = lighting != 0;
