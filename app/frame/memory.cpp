@@ -20,7 +20,7 @@ std::vector<Share> memory_of(const needs::Needs& needs, const Graph& graph) {
   const scene::Scene& scene = *needs.scene;
   std::size_t vertices = 0, indices = 0, tables = 0, textures = 0;
   for (const scene::Index i : needs.streams)
-    vertices += scene.streams[static_cast<std::size_t>(i)].values.size() * sizeof(float);
+    vertices += needs.stream(i).values.size() * sizeof(float);
   for (const scene::Index i : needs.index_lists)
     indices += scene.indices[static_cast<std::size_t>(i)].size() * sizeof(std::uint32_t);
   for (const needs::Table& table : needs.tables)

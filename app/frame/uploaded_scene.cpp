@@ -164,8 +164,7 @@ void UploadedScene::upload_geometry() {
           device_.create(gpu::BufferDesc{name + std::to_string(i), values.size(), use}, values);
   };
   for (const scene::Index i : needs_->streams)
-    upload(streams_[i], "stream ", i,
-           bytes(needs_->scene->streams[static_cast<std::size_t>(i)].values), gpu::Use::vertices);
+    upload(streams_[i], "stream ", i, bytes(needs_->stream(i).values), gpu::Use::vertices);
   for (const scene::Index i : needs_->index_lists)
     upload(indices_[i], "indices ", i, bytes(needs_->scene->indices[static_cast<std::size_t>(i)]),
            gpu::Use::indices);

@@ -78,6 +78,7 @@ enum class Feature : std::uint32_t {
   diffuse_transmission,
   diffuse_transmission_map,
   diffuse_transmission_color_map,
+  hollows, // vertices know how much of what they see is their own mesh
   count
 };
 using FeatureSet = std::bitset<static_cast<std::size_t>(Feature::count)>;

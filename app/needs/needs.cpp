@@ -50,6 +50,27 @@ scene::Bounds bounds_of(const std::vector<Draw>& draws, const scene::Bounds& sce
   return bounds;
 }
 
+// Gives draws that have hollows their coverage. What is brushed keeps its tangent where coverage would lie (stages/geometry.frag).
+void add_hollows(Needs& needs, Shapes& shapes) {
+  for (Draw& draw : needs.draws.all) {
+    if (draw.role != Role::opaque || value_of(draw.key, Feature::environment) == 0
+        || value_of(draw.key, Feature::anisotropy) != 0)
+      continue;
+    if (!needs.hollows) needs.hollows = shapes.hollows();
+    const scene::Instance* instance = needs.draws.instances[draw.instance_index];
+    const auto& primitives =
+        needs.scene->meshes[static_cast<std::size_t>(instance->mesh)].primitives;
+    const auto found =
+        needs.hollows->of.find({static_cast<std::size_t>(instance - needs.scene->instances.data()),
+                                static_cast<std::size_t>(draw.primitive - primitives.data())});
+    if (found == needs.hollows->of.end()) continue;
+    set_value(draw.key, Feature::hollows, 1);
+    constexpr int location = 8; // of stages/opaque.vert
+    draw.inputs.push_back(
+        {location, 1, static_cast<scene::Index>(needs.scene->streams.size() + found->second)});
+  }
+}
+
 // Of one lobe, where it is looked up.
 int lookups_per_lobe(Method method, int lobes) {
   const int number = static_cast<int>(method);
@@ -89,6 +110,11 @@ std::size_t Needs::triangle_count() const {
   return count;
 }
 
+const scene::Stream& Needs::stream(scene::Index i) const {
+  const auto at = static_cast<std::size_t>(i), own = scene->streams.size();
+  return at < own ? scene->streams[at] : hollows->streams[at - own];
+}
+
 std::vector<const Draw*> Needs::read() const {
   std::vector<const Draw*> read;
   for (const std::vector<Draw>* list : {&draws.all, &shadows.casters, &shadows.filters})
@@ -112,6 +138,7 @@ Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes) {
     if (!has(view.without, Feature::neighbours))
       find_neighbours(needs.draws, scene, *needs.proxies);
   }
+  if (view.method != Method::standard) add_hollows(needs, *shapes);
   if (!has(view.without, Feature::lights))
     needs.shadows = shadow_maps_of(scene, view, needs.draws, *shapes, needs.proxies.get());
   mark_fine(needs.draws.all, view);

@@ -45,6 +45,8 @@ struct Needs {
   bool has_neighbours = false;        // what leaves glass can meet other things
   std::shared_ptr<const Proxies>
       proxies; // of all that stands in the scene; none where no draw asks for them
+  std::shared_ptr<const Hollows>
+      hollows; // their streams follow the scene's own; none where no draw asks for them
   ShadowMaps shadows;
   std::vector<Wall> walls; // that they can meet where the picture ends
   bool sky = false;
@@ -57,8 +59,9 @@ struct Needs {
 
   // Some opaque surfaces are shaded after the pass that draws the others: blended ones lie over them later still.
   bool shades_opaque_late() const { return !opaque_regions.empty(); }
-  std::size_t triangle_count() const;    // per sample, each draw once
-  std::vector<const Draw*> read() const; // the draws, and those that shadow maps take
+  std::size_t triangle_count() const;                // per sample, each draw once
+  const scene::Stream& stream(scene::Index i) const; // of `streams`
+  std::vector<const Draw*> read() const;             // the draws, and those that shadow maps take
 };
 
 // Total reflections inside a solid that are followed.

@@ -25,6 +25,7 @@ void Shapes::scene_changed() {
   solid_ = std::move(solid);
   bodies_ = scene::body_materials(scene_);
   shapes_.clear();
+  hollows_.reset();
 }
 
 void Shapes::geometry_changed() {
@@ -45,6 +46,11 @@ const scene::SolidShape& Shapes::of(const scene::Instance& instance, scene::Inde
 std::shared_ptr<const Proxies> Shapes::proxies() {
   if (!proxies_) proxies_ = std::make_shared<const Proxies>(proxies_of(scene_));
   return proxies_;
+}
+
+std::shared_ptr<const Hollows> Shapes::hollows() {
+  if (!hollows_) hollows_ = std::make_shared<const Hollows>(hollows_of(scene_, *proxies()));
+  return hollows_;
 }
 
 } // namespace gg::needs

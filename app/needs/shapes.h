@@ -1,6 +1,7 @@
 // The shapes of solids, by mesh and body, and what stands for the things of the scene: each worked out once.
 #pragma once
 
+#include "needs/hollows.h"
 #include "needs/proxies.h"
 #include "scene/bodies.h"
 #include "scene/scene.h"
@@ -27,6 +28,8 @@ public:
   const scene::SolidShape& of(const scene::Instance& instance, scene::Index body_of);
   // Of the whole scene (needs/proxies.h).
   std::shared_ptr<const Proxies> proxies();
+  // As its instances stand at the first call: half a second for each move would be long.
+  std::shared_ptr<const Hollows> hollows();
 
 private:
   const scene::Scene& scene_;
@@ -34,6 +37,7 @@ private:
   std::vector<scene::Index> bodies_;
   std::map<std::pair<scene::Index, scene::Index>, scene::SolidShape> shapes_;
   std::shared_ptr<const Proxies> proxies_;
+  std::shared_ptr<const Hollows> hollows_;
 };
 
 } // namespace gg::needs

@@ -44,6 +44,7 @@ constexpr FeatureName names[] = {
     {Feature::diffuse_transmission_map, "diffuse transmission map"},
     {Feature::diffuse_transmission_color_map, "diffuse transmission color map"},
     {Feature::vertex_color, "vertex color"},
+    {Feature::hollows, "hollows"},
     {Feature::alpha_given, "alpha given"},
     {Feature::correlated_smith, "correlated smith"},
     {Feature::multiple_scattering, "multiple scattering"},

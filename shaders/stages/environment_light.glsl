@@ -64,6 +64,7 @@ vec3 mergedRadiance(Surface s, ReflectionLobe first, float edge, vec3 weight, ve
 }
 
 #include "stages/brushed.glsl"
+#include "stages/hollows.glsl"
 
 // The reflection lobe: what arrives along the lobe is seen times the weight. And all else that the surroundings make of the
 // surface: diffuse light under it, and what scattered more than once.
@@ -135,7 +136,9 @@ vec3 environmentLight(Surface s) {
         if (k > 0) lobe = fetchReflectionLobeOf(lobeTable, k, lobeCount, s.wo, s.n, s.alpha, light.edge);
         sum += lobe.weight * reflectedRadiance(s, lobe.direction, lobe.sigma);
     }
-    return light.diffuse + light.weight * sum;
+    vec3 all = light.diffuse + light.weight * sum;
+    if (hasHollows) all *= reachesHollow(s, light.weight);
+    return all;
 }
 
 // All lobes but the first as one: for glass, where little is reflected. Weight 0 if there is but one.

@@ -14,6 +14,7 @@ layout(location = 2) in vec4 inTangent;
 layout(location = 3) in vec4 inColor;
 layout(location = 4) in vec4 inUv01;
 layout(location = 5) in vec4 inUv23;
+layout(location = 6) in float inHollow;
 
 layout(location = 0) out uvec4 outTexel;
 
@@ -25,6 +26,7 @@ void main() {
     uint number = uint(region.back.x / REGION_STEP);
     uint bits = packedNumber(number);
     // The bitangent is that of the mesh's own normal, which a back face's is turned against.
+    if (hasHollows) bits |= uint(clamp(inHollow, 0.0, 1.0) * 4095.0 + 0.5);
     if (brushedLobes > 0) bits |= packedTangent(octDecode(n), vec4(inTangent.xyz, gl_FrontFacing ? inTangent.w : -inTangent.w));
     outTexel = uvec4(floatBitsToUint(gl_FragCoord.z), floatBitsToUint(n.x), floatBitsToUint(n.y), bits);
 }

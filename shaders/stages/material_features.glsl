@@ -47,6 +47,7 @@ layout(constant_id = 41) const bool facesDiffer = false; // base colour or clear
 layout(constant_id = 42) const bool passesDiffuse = false; // KHR_materials_diffuse_transmission
 layout(constant_id = 43) const int diffuseTransmissionMapUv = 0;
 layout(constant_id = 44) const int diffuseTransmissionColorMapUv = 0;
+layout(constant_id = 45) const bool hasHollows = false; // vertices know how much of what they see is their own mesh
 layout(constant_id = 26) const int interiorPairs = 0; // of front and back faces that the inside is followed through
 
 const bool hasLights = lighting != 0;

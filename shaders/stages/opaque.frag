@@ -11,6 +11,7 @@ layout(location = 2) in vec4 inTangent;
 layout(location = 3) in vec4 inColor;
 layout(location = 4) in vec4 inUv01;
 layout(location = 5) in vec4 inUv23;
+layout(location = 6) in float inHollow;
 
 layout(location = 0) out vec4 outColor; // premultiplied where blended
 

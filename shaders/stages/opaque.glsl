@@ -16,6 +16,7 @@ vec4 opaqueColor(vec4 base) {
     float coverage = alphaMode == 2 ? base.w : 1.0;
     if (shading == 0) return vec4(base.xyz * coverage, coverage);
     Surface s = readSurface(base);
+    if (hasHollows) s.hollow = clamp(inHollow, 0.0, 1.0);
     vec3 radiance = s.emissive;
     if (hasEnvironment) {
         if (method >= 100) radiance += sampledLight(s, method - 100);

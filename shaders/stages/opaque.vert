@@ -12,6 +12,7 @@ layout(location = 4) in vec2 inUv0; // the sets that the material's maps read, i
 layout(location = 5) in vec2 inUv1;
 layout(location = 6) in vec2 inUv2;
 layout(location = 7) in vec2 inUv3;
+layout(location = 8) in float inHollow;
 
 layout(location = 0) out vec3 outPosition; // world, metres
 layout(location = 1) out vec3 outNormal;   // world, unit at the corners, length left to interpolation
@@ -19,6 +20,7 @@ layout(location = 2) out vec4 outTangent;
 layout(location = 3) out vec4 outColor;
 layout(location = 4) out vec4 outUv01;
 layout(location = 5) out vec4 outUv23;
+layout(location = 6) out float outHollow; // share of the cosine lobe about the normal that meets the mesh itself
 
 invariant gl_Position; // passes that draw the same draw compare depths to the bit (interior.frag)
 
@@ -39,6 +41,8 @@ void main() {
         outTangent = vec4(unitOrZero(mat3(instance.worldFromMesh) * inTangent.xyz), inTangent.w * instance.normalFromMesh[3][3]);
     outColor = vec4(1.0);
     if (hasVertexColor) outColor = inColor;
+    outHollow = 0.0;
+    if (hasHollows) outHollow = inHollow;
     outUv01 = vec4(0.0);
     outUv23 = vec4(0.0);
     if (uvSets > 0) outUv01.xy = inUv0;

@@ -21,6 +21,7 @@ vec4 inTangent;
 const vec4 inColor = vec4(1.0);
 const vec4 inUv01 = vec4(0.0);
 const vec4 inUv23 = vec4(0.0);
+float inHollow;
 
 #include "stages/opaque.glsl"
 
@@ -30,6 +31,8 @@ void main() {
     inPosition = interiorWorld(view, gl_FragCoord.xy, uintBitsToFloat(texel.x));
     inNormal = octDecode(vec2(uintBitsToFloat(texel.y), uintBitsToFloat(texel.z))); // on the viewer's side already
     inTangent = vec4(0.0);
+    inHollow = 0.0;
+    if (hasHollows) inHollow = float(texel.w & 4095u) / 4095.0;
     if (brushedLobes > 0) inTangent = unpackedTangent(texel.w, inNormal);
     outColor = opaqueColor(surfaceBaseColor());
 }

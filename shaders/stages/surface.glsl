@@ -32,6 +32,7 @@ struct Surface {
     float specular;
     float transmission; // share of the dielectric's base that is refracted
     float occlusion;
+    float hollow;      // share of the cosine lobe about n that meets the mesh itself
     vec3 emissive;
     float turn;        // turnOverPixel of the mirror's direction
     vec3 brush;        // KHR_materials_anisotropy: unit, in the surface, along the brushing; width of D along it. alpha: across
@@ -175,6 +176,7 @@ Surface readSurface(vec4 base) {
         s.transmission *=
             texture(transmissionMap, mapUv(transmissionMapUv, material.transmissionRow0, material.transmissionRow1)).x;
 
+    s.hollow = 0.0;
     s.occlusion = 1.0;
     if (occlusionMapUv > 0) {
         float map = texture(occlusionMap, mapUv(occlusionMapUv, material.occlusionRow0, material.occlusionRow1)).x;

@@ -1,0 +1,30 @@
+// How much of what a vertex sees is its own body: in hollows the environment arrives by way of the thing itself.
+#pragma once
+
+#include "needs/proxies.h"
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace gg::needs {
+
+// Rays per vertex; fewer where a scene would take more than `most_rays` (about half a second on two cores), none where it would
+// take fewer than 16 for each.
+inline constexpr int hollow_rays = 64;
+inline constexpr std::size_t most_rays = 6'000'000;
+
+struct Hollows {
+  // Of one component, in [0, 1]: the share of the cosine lobe about the normal that meets the body.
+  std::vector<scene::Stream> streams;
+  // Of primitives of instances (indices into the scene and its mesh) that have hollows, into `streams`.
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> of;
+};
+
+// Of the opaque surfaces of each body of the proxies, by Embree; the same for the same scene. What is convex has none, found by a
+// few of its vertices.
+Hollows hollows_of(const scene::Scene& scene, const Proxies& proxies);
+
+} // namespace gg::needs
