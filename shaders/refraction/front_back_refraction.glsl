@@ -46,10 +46,13 @@ vec3 refractFrontBack(GlassFace face, ConvexBody body, float number, SceneView v
   Entering entered = enterGlass(face, body.ior);
   WayOut core = wayOut(face, entered.core, 1.0 / body.ior, number, view);
   if (!core.found) return refractConvex(face, body, view, k);
-  WayOut tail = wayOut(face, entered.tail, 1.0 / body.ior, number, view);
   entered.core = core.lobe;
-  if (tail.found) entered.tail = tail.lobe;
-  if (!tail.found) tail.exit = core.exit;
+  WayOut tail = core;
+  if (entered.tail.weight > 0.0) {
+    tail = wayOut(face, entered.tail, 1.0 / body.ior, number, view);
+    if (tail.found) entered.tail = tail.lobe;
+    if (!tail.found) tail.exit = core.exit;
+  }
   return refractThrough(face, body, entered, core.point, core.exit, tail.exit, view, k);
 }
 

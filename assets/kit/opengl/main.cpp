@@ -148,7 +148,7 @@ public:
   std::vector<float> draw(glm::vec2 offset) {
     const FrameBlock frame = frame_of(scene_, environment_, width_, height_, offset, last_, true);
     glNamedBufferSubData(blocks_[FRAME], 0, sizeof frame, &frame);
-    draw_bodies(levels_[0], false);    // 1. what is not glass, with its depth
+    draw_bodies();                     // 1. what is not glass, with its depth
     for (int k = 1; k <= last_; ++k) { // 2. its pyramid of Gaussians
       glTextureParameteri(pyramid_, GL_TEXTURE_BASE_LEVEL, k - 1);
       glTextureParameteri(pyramid_, GL_TEXTURE_MAX_LEVEL, k - 1);
@@ -160,8 +160,8 @@ public:
     }
     glTextureParameteri(pyramid_, GL_TEXTURE_BASE_LEVEL, 0);
     glTextureParameteri(pyramid_, GL_TEXTURE_MAX_LEVEL, last_);
-    draw_back_faces();         // 3. where rays leave the glass
-    draw_bodies(frame_, true); // 4. all of it, glass last
+    draw_back_faces(); // 3. where rays leave the glass
+    draw_glass();      // 4. glass, over what is not
     std::vector<float> texels(4U * width_ * height_);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, texels.data());
@@ -230,14 +230,26 @@ private:
     }
   }
 
-  void draw_bodies(GLuint target, bool glass_too) {
-    run(sky_, target, {0, 0, width_, height_}, 0, {});
+  // What is not glass, the sky last: only where nothing stands before it.
+  void draw_bodies() {
+    glBindFramebuffer(GL_FRAMEBUFFER, levels_[0]);
+    glViewport(0, 0, width_, height_);
     glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
     glClear(GL_DEPTH_BUFFER_BIT);
     draw_meshes(body_, false);
-    if (!glass_too) return;
-    glEnable(
-        GL_CULL_FACE); // bodies of glass are closed: what faces away is seen through their front
+    glUseProgram(sky_);
+    glBindVertexArray(nothing_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+
+  // Glass over what was drawn without it. Bodies are closed: what faces away is seen through their front.
+  void draw_glass() {
+    glBlitNamedFramebuffer(levels_[0], frame_, 0, 0, width_, height_, 0, 0, width_, height_,
+                           GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame_);
+    glViewport(0, 0, width_, height_);
+    glEnable(GL_CULL_FACE);
     draw_meshes(glass_, true);
     glDisable(GL_CULL_FACE);
   }

@@ -305,8 +305,8 @@ public:
     std::memcpy(blocks_.data, &frame, sizeof frame);
     draws_ = 0;
     buffer_ = begin();
-    draw_bodies(pyramid_, depth_, false); // 1. what is not glass, with its depth
-    for (int k = 1; k <= last_; ++k) {    // 2. its pyramid of Gaussians
+    draw_bodies();                     // 1. what is not glass, with its depth
+    for (int k = 1; k <= last_; ++k) { // 2. its pyramid of Gaussians
       const glm::vec4 source(std::max(1, width_ >> (k - 1)), std::max(1, height_ >> (k - 1)), 0.0F,
                              0.0F);
       run(halve_, pyramid_.level[k], {0, 0, std::max(1, width_ >> k), std::max(1, height_ >> k)},
@@ -316,7 +316,7 @@ public:
               true); // 3. where rays leave the glass
     draw_meshes(backs_, true);
     vkCmdEndRendering(buffer_);
-    draw_bodies(frame_, frame_depth_, true); // 4. all of it, glass last
+    draw_glass(); // 4. glass, over what is not
     wait(buffer_);
     const VkBufferImageCopy region = whole(frame_);
     vkCmdCopyImageToBuffer(buffer_, frame_.image, VK_IMAGE_LAYOUT_GENERAL, read_.buffer, 1,
@@ -441,9 +441,9 @@ private:
         .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
     const VkPipelineDepthStencilStateCreateInfo tested{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
-        .depthTestEnable = meshes,
+        .depthTestEnable = depth,
         .depthWriteEnable = meshes,
-        .depthCompareOp = VK_COMPARE_OP_LESS};
+        .depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL};
     const VkPipelineColorBlendAttachmentState plain{.colorWriteMask = 15};
     const VkPipelineColorBlendStateCreateInfo blend{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
@@ -496,18 +496,20 @@ private:
   }
 
   // place: left, top, width, height. upwards: clip space's y is up in the picture, as in OpenGL; else down, as textures are stored.
-  void open_pass(VkImageView color, VkImageView depth, std::array<int, 4> place, bool upwards) {
+  // over: what the targets hold stays.
+  void open_pass(VkImageView color, VkImageView depth, std::array<int, 4> place, bool upwards,
+                 bool over = false) {
     wait(buffer_);
+    const VkAttachmentLoadOp clears = over ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
     const VkRenderingAttachmentInfo into{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
                                          .imageView = color,
                                          .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
-                                         .loadOp = depth ? VK_ATTACHMENT_LOAD_OP_CLEAR
-                                                         : VK_ATTACHMENT_LOAD_OP_LOAD,
+                                         .loadOp = depth ? clears : VK_ATTACHMENT_LOAD_OP_LOAD,
                                          .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
     const VkRenderingAttachmentInfo tested{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
                                            .imageView = depth,
                                            .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
-                                           .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                           .loadOp = clears,
                                            .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
                                            .clearValue = {.depthStencil = {1.0F, 0}}};
     const VkRect2D area{{place[0], place[1]}, {std::uint32_t(place[2]), std::uint32_t(place[3])}};
@@ -555,12 +557,29 @@ private:
     }
   }
 
-  void draw_bodies(const Image& color, const Image& depth, bool glass_too) {
-    open_pass(color.level[0], depth.level[0], {0, 0, width_, height_}, true);
+  // What is not glass, the sky last: only where nothing stands before it.
+  void draw_bodies() {
+    open_pass(pyramid_.level[0], depth_.level[0], {0, 0, width_, height_}, true);
+    draw_meshes(body_, false);
     use(sky_, nothing_, PassBlock{});
     vkCmdDraw(buffer_, 3, 1, 0, 0);
-    draw_meshes(body_, false);
-    if (glass_too) draw_meshes(glass_, true);
+    vkCmdEndRendering(buffer_);
+  }
+
+  void copy(const Image& from, const Image& to) {
+    const VkImageCopy region{{from.aspect, 0, 0, 1}, {}, {to.aspect, 0, 0, 1}, {},
+                             {std::uint32_t(width_), std::uint32_t(height_), 1}};
+    vkCmdCopyImage(buffer_, from.image, VK_IMAGE_LAYOUT_GENERAL, to.image, VK_IMAGE_LAYOUT_GENERAL,
+                   1, &region);
+  }
+
+  // Glass over what was drawn without it.
+  void draw_glass() {
+    wait(buffer_);
+    copy(pyramid_, frame_);
+    copy(depth_, frame_depth_);
+    open_pass(frame_.level[0], frame_depth_.level[0], {0, 0, width_, height_}, true, true);
+    draw_meshes(glass_, true);
     vkCmdEndRendering(buffer_);
   }
 
