@@ -16,6 +16,9 @@
 #include "refraction/glass_reflection.glsl"
 #include "refraction/internal_scattering.glsl"
 
+// A lobe narrower than this is one direction for a picture: a pixel is wider. Core and tail are then the same, and one is followed.
+const float SMOOTH_ALPHA = 1e-3;
+
 InterfaceLobe engineFaceLobe(int lobe, float cosTheta, float alpha, float eta) {
   return interfaceLobe(engineInterfaceLobe(interfaceLobeCoordinate(lobe, 2, cosTheta, alpha, eta)), cosTheta, alpha, eta);
 }
@@ -35,6 +38,13 @@ ComposedPair engineLeavingPair(InnerLobe inner, bool core, ExitSurface s, Wideni
   float cosTheta = max(view.cosTheta, 0.0);
   float energy = abs(s.eta - 1.0) < INDEX_MATCHED ? 1.0 : engineFaceEnergy(cosTheta, view.alphaEnergy, s.eta).transmitted;
   InterfaceLobe first = engineFaceLobe(0, cosTheta, view.alphaShape, s.eta);
+  if (view.alphaShape < SMOOTH_ALPHA) {
+    ComposedPair one;
+    one.core = composeLobe(inner, view, s, first.angle, first.sigma, 1.0, energy);
+    one.rest = one.core;
+    one.rest.weight = 0.0;
+    return one;
+  }
   InterfaceLobe second = engineFaceLobe(1, cosTheta, view.alphaShape, s.eta);
   return composedPair(composeLobe(inner, view, s, first.angle, first.sigma, first.weight, energy),
                       composeLobe(inner, view, s, second.angle, second.sigma, second.weight, energy), view);
@@ -73,25 +83,46 @@ Entering enterGlass(GlassFace face, float ior) {
   Entering e;
   e.energy = engineFaceEnergy(dot(face.wo, face.n), face.alpha, ior).transmitted;
   e.core = engineEnteringLobe(0, face, ior, e.energy);
-  e.tail = engineEnteringLobe(1, face, ior, e.energy);
+  e.tail = e.core;
+  e.tail.weight = 0.0;
+  if (face.alpha < SMOOTH_ALPHA) e.core.weight = e.energy;
+  else e.tail = engineEnteringLobe(1, face, ior, e.energy);
   return e;
+}
+
+// What core and tail become outside.
+struct Leaving {
+  ComposedPair pair;
+  float passed; // share of the core that the exit let through
+};
+
+Leaving leaveGlass(GlassFace face, ConvexBody body, Entering e, ConvexExit coreExit, ConvexExit tailExit, Widening k) {
+  ComposedPair first = engineLeavingPair(e.core, true, coreExit.surface, k);
+  Leaving leaving;
+  leaving.pair = first;
+  if (e.tail.weight > 0.0) leaving.pair = mergePairs(first, engineLeavingPair(e.tail, false, tailExit.surface, k));
+  // Over the pixel both faces turn together, as a prism's do: by 2 (1 - 1 / ior) of the normal's turn.
+  float bent = 2.0 * (1.0 - 1.0 / body.ior);
+  leaving.pair.core.sigma = sqrt(leaving.pair.core.sigma * leaving.pair.core.sigma + bent * bent * face.turn);
+  leaving.passed = e.core.weight > 0.0 ? (first.core.weight + first.rest.weight) / e.core.weight : 0.0;
+  return leaving;
+}
+
+// What a pair of lobes shows that leaves at `origin`, `inside` metres after the near face.
+vec3 pairRadiance(ComposedPair pair, vec3 origin, float inside, SceneView view) {
+  SceneIntersection met = sceneIntersection(origin, pair.core.direction, view);
+  vec3 sum = pair.core.weight * lobeRadiance(pair.core, origin, inside, met, view);
+  // The rest leaves beside the core and meets the same thing.
+  if (pair.rest.weight > 0.0) sum += pair.rest.weight * lobeRadiance(pair.rest, origin, inside, met, view);
+  return sum;
 }
 
 // On through the exits that core and tail meet, the core's at `origin`, to what is seen there.
 vec3 refractThrough(GlassFace face, ConvexBody body, Entering e, vec3 origin, ConvexExit coreExit, ConvexExit tailExit,
                     SceneView view, Widening k) {
-  ComposedPair first = engineLeavingPair(e.core, true, coreExit.surface, k);
-  ComposedPair pair = mergePairs(first, engineLeavingPair(e.tail, false, tailExit.surface, k));
-
-  // Over the pixel both faces turn together, as a prism's do: by 2 (1 - 1 / ior) of the normal's turn.
-  float bent = 2.0 * (1.0 - 1.0 / body.ior);
-  pair.core.sigma = sqrt(pair.core.sigma * pair.core.sigma + bent * bent * face.turn);
-  SceneIntersection met = sceneIntersection(origin, pair.core.direction, view);
-  vec3 sum = pair.core.weight * lobeRadiance(pair.core, origin, coreExit.path, met, view);
-  // The rest leaves beside the core and meets the same thing.
-  if (pair.rest.weight > 0.0) sum += pair.rest.weight * lobeRadiance(pair.rest, origin, coreExit.path, met, view);
-  float passed = e.core.weight > 0.0 ? (first.core.weight + first.rest.weight) / e.core.weight : 0.0;
-  return sum * exp(-coreExit.path * body.attenuation) + internallyReflected(face, body, e.core, e.energy, coreExit, passed);
+  Leaving left = leaveGlass(face, body, e, coreExit, tailExit, k);
+  vec3 sum = pairRadiance(left.pair, origin, coreExit.path, view);
+  return sum * exp(-coreExit.path * body.attenuation) + internallyReflected(face, body, e.core, e.energy, coreExit, left.passed);
 }
 
 vec3 refractConvex(GlassFace face, ConvexBody body, SceneView view, Widening k) {

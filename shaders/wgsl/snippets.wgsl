@@ -1,4 +1,4 @@
-// Made by shaders/wgsl/make of 621ea428b51bf6355c24a10e3d33144791fba13ce1cb5aec5e3932fc96d45a8f: do not edit.
+// Made by shaders/wgsl/make of 5ed31ba962d1a5d92af412fe4a1882ec5bc40b7898e6efabb2246805faee0f73: do not edit.
 struct Tilt {
     p: f32,
     z: f32,
@@ -203,15 +203,23 @@ struct SceneIntersection {
     seen: bool,
 }
 
+struct FaceLayer {
+    layer: i32,
+    side: f32,
+    number: f32,
+}
+
 struct BackFace {
     point: vec3<f32>,
     n: vec3<f32>,
     alpha: f32,
+    number: f32,
     exists: bool,
 }
 
 struct BackFaceExit {
     exit: ConvexExit,
+    number: f32,
     found: bool,
 }
 
@@ -265,6 +273,11 @@ struct Entering {
     energy: f32,
 }
 
+struct Leaving {
+    pair: ComposedPair,
+    passed: f32,
+}
+
 struct WayOut {
     lobe: InnerLobe,
     exit: ConvexExit,
@@ -311,6 +324,9 @@ const SCENE_THICK: f32 = 0.1f;
 const SCENE_GUESSES: i32 = 4i;
 const SCENE_STEPS: i32 = 12i;
 const SCENE_SECANTS: i32 = 5i;
+const BACK_FACES: i32 = 0i;
+const SECOND_FRONTS: i32 = 1i;
+const SECOND_BACKS: i32 = 2i;
 const BACK_FACE_STEPS: i32 = 6i;
 const INDEX_MATCHED: f32 = 0.0001f;
 const COMPOSED_WIDEST: f32 = 0.3f;
@@ -322,10 +338,12 @@ const INTERFACE_LOBE_COSINES: i32 = 25i;
 const INTERFACE_LOBE_ALPHAS: i32 = 16i;
 const INTERFACE_SLICES: i32 = 13i;
 const INTERFACE_GREATEST_ETA: f32 = 4f;
+const SMOOTH_ALPHA: f32 = 0.001f;
 const SCATTERED_SEEN: f32 = 0.5f;
 const THIN_WALL_COSINES: i32 = 25i;
 const THIN_WALL_ALPHAS: i32 = 16i;
 const THIN_WALL_SLICES: i32 = 13i;
+const REFLECTIONS_INSIDE: i32 = 3i;
 
 
 fn tilt(v: vec3<f32>) -> Tilt {
@@ -7107,9 +7125,11 @@ fn sceneIntersection(origin_10: vec3<f32>, direction_18: vec3<f32>, view_15: Sce
     return _e63;
 }
 
-fn engineBackFace(at_16: vec2<f32>) -> vec4<f32> {
+fn engineFace(layer: i32, at_16: vec2<f32>) -> vec4<f32> {
+    var layer_1: i32;
     var at_17: vec2<f32>;
 
+    layer_1 = layer;
     at_17 = at_16;
     return vec4(0f);
 }
@@ -7125,97 +7145,110 @@ fn pixelStep(view_17: SceneView, axis_1: i32) -> vec3<f32> {
 
     view_18 = view_17;
     axis_2 = axis_1;
-    let _e35 = view_18.clipFromWorld[0][3];
-    let _e41 = view_18.clipFromWorld[1][3];
-    let _e47 = view_18.clipFromWorld[2][3];
-    forward = vec3<f32>(_e35, _e41, _e47);
-    let _e50 = axis_2;
-    if (_e50 == 0i) {
-        let _e58 = view_18.clipFromWorld[0][0];
-        let _e64 = view_18.clipFromWorld[1][0];
-        let _e70 = view_18.clipFromWorld[2][0];
-        local_85 = vec3<f32>(_e58, _e64, _e70);
+    let _e38 = view_18.clipFromWorld[0][3];
+    let _e44 = view_18.clipFromWorld[1][3];
+    let _e50 = view_18.clipFromWorld[2][3];
+    forward = vec3<f32>(_e38, _e44, _e50);
+    let _e53 = axis_2;
+    if (_e53 == 0i) {
+        let _e61 = view_18.clipFromWorld[0][0];
+        let _e67 = view_18.clipFromWorld[1][0];
+        let _e73 = view_18.clipFromWorld[2][0];
+        local_85 = vec3<f32>(_e61, _e67, _e73);
     } else {
-        let _e77 = view_18.clipFromWorld[0][1];
-        let _e83 = view_18.clipFromWorld[1][1];
-        let _e89 = view_18.clipFromWorld[2][1];
-        local_85 = vec3<f32>(_e77, _e83, _e89);
+        let _e80 = view_18.clipFromWorld[0][1];
+        let _e86 = view_18.clipFromWorld[1][1];
+        let _e92 = view_18.clipFromWorld[2][1];
+        local_85 = vec3<f32>(_e80, _e86, _e92);
     }
-    let _e92 = local_85;
-    row = _e92;
-    let _e94 = row;
-    let _e95 = row;
-    let _e96 = forward;
-    let _e98 = forward;
-    across_11 = (_e94 - (dot(_e95, _e96) * _e98));
-    let _e102 = axis_2;
-    if (_e102 == 0i) {
-        let _e106 = view_18;
-        local_86 = (2f / _e106.size.x);
+    let _e95 = local_85;
+    row = _e95;
+    let _e97 = row;
+    let _e98 = row;
+    let _e99 = forward;
+    let _e101 = forward;
+    across_11 = (_e97 - (dot(_e98, _e99) * _e101));
+    let _e105 = axis_2;
+    if (_e105 == 0i) {
+        let _e109 = view_18;
+        local_86 = (2f / _e109.size.x);
     } else {
-        let _e112 = view_18;
-        local_86 = (-2f / _e112.size.y);
+        let _e115 = view_18;
+        local_86 = (-2f / _e115.size.y);
     }
-    let _e117 = local_86;
-    let _e118 = across_11;
-    let _e119 = across_11;
+    let _e120 = local_86;
+    let _e121 = across_11;
     let _e122 = across_11;
-    return ((_e117 / dot(_e118, _e119)) * _e122);
+    let _e125 = across_11;
+    return ((_e120 / dot(_e121, _e122)) * _e125);
 }
 
-fn backFaceAt(at_18: vec2<f32>, p_10: vec3<f32>, w_27: f32, number: f32, view_19: SceneView) -> BackFace {
+fn backFaceAt(at_18: vec2<f32>, p_10: vec3<f32>, w_27: f32, which: FaceLayer, view_19: SceneView) -> BackFace {
     var at_19: vec2<f32>;
     var p_11: vec3<f32>;
     var w_28: f32;
-    var number_1: f32;
+    var which_1: FaceLayer;
     var view_20: SceneView;
     var texel_4: vec4<f32>;
     var off_1: vec2<f32>;
     var face_6: BackFace;
+    var local_87: bool;
 
     at_19 = at_18;
     p_11 = p_10;
     w_28 = w_27;
-    number_1 = number;
+    which_1 = which;
     view_20 = view_19;
-    let _e36 = at_19;
-    let _e37 = engineBackFace(_e36);
-    texel_4 = _e37;
-    let _e39 = at_19;
+    let _e39 = which_1;
+    let _e41 = at_19;
+    let _e42 = engineFace(_e39.layer, _e41);
+    texel_4 = _e42;
     let _e44 = at_19;
-    off_1 = ((floor(_e39) + vec2(0.5f)) - _e44);
-    let _e49 = view_20;
-    let _e51 = p_11;
-    let _e52 = view_20;
-    let _e55 = texel_4;
-    let _e57 = w_28;
-    let _e61 = texel_4;
-    let _e63 = off_1;
-    let _e65 = view_20;
-    let _e67 = pixelStep(_e65, 0i);
-    let _e69 = off_1;
-    let _e71 = view_20;
-    let _e73 = pixelStep(_e71, 1i);
-    face_6.point = ((_e49.eye + ((_e51 - _e52.eye) * (_e55.z / _e57))) + (_e61.z * ((_e63.x * _e67) + (_e69.y * _e73))));
-    let _e79 = texel_4;
-    let _e81 = texel_4;
-    let _e84 = octDecode(vec2<f32>(_e79.x, _e81.y));
-    face_6.n = _e84;
-    let _e87 = texel_4;
-    face_6.alpha = (2f * fract(_e87.w));
-    let _e92 = texel_4;
-    let _e95 = number_1;
-    face_6.exists = (floor(_e92.w) == _e95);
-    let _e97 = face_6;
-    return _e97;
+    let _e49 = at_19;
+    off_1 = ((floor(_e44) + vec2(0.5f)) - _e49);
+    let _e54 = view_20;
+    let _e56 = p_11;
+    let _e57 = view_20;
+    let _e60 = texel_4;
+    let _e62 = w_28;
+    let _e66 = texel_4;
+    let _e68 = off_1;
+    let _e70 = view_20;
+    let _e72 = pixelStep(_e70, 0i);
+    let _e74 = off_1;
+    let _e76 = view_20;
+    let _e78 = pixelStep(_e76, 1i);
+    face_6.point = ((_e54.eye + ((_e56 - _e57.eye) * (_e60.z / _e62))) + (_e66.z * ((_e68.x * _e72) + (_e74.y * _e78))));
+    let _e84 = which_1;
+    let _e86 = texel_4;
+    let _e88 = texel_4;
+    let _e91 = octDecode(vec2<f32>(_e86.x, _e88.y));
+    face_6.n = (_e84.side * _e91);
+    let _e95 = texel_4;
+    face_6.alpha = (2f * fract(_e95.w));
+    let _e100 = texel_4;
+    face_6.number = floor(_e100.w);
+    let _e104 = which_1;
+    if (_e104.number < 0f) {
+        let _e108 = face_6;
+        local_87 = (_e108.number > 0f);
+    } else {
+        let _e112 = face_6;
+        let _e114 = which_1;
+        local_87 = (_e112.number == _e114.number);
+    }
+    let _e118 = local_87;
+    face_6.exists = _e118;
+    let _e119 = face_6;
+    return _e119;
 }
 
-fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, w_29: f32, number_2: f32, view_21: SceneView) -> BackFace {
+fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, w_29: f32, which_2: FaceLayer, view_21: SceneView) -> BackFace {
     var own_1: BackFace;
     var at_21: vec2<f32>;
     var p_13: vec3<f32>;
     var w_30: f32;
-    var number_3: f32;
+    var which_3: FaceLayer;
     var view_22: SceneView;
     var beside_5: BackFace;
 
@@ -7223,36 +7256,36 @@ fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, w_29: f32, n
     at_21 = at_20;
     p_13 = p_12;
     w_30 = w_29;
-    number_3 = number_2;
+    which_3 = which_2;
     view_22 = view_21;
-    let _e38 = at_21;
-    let _e39 = p_13;
-    let _e40 = w_30;
-    let _e41 = number_3;
-    let _e42 = view_22;
-    let _e43 = backFaceAt(_e38, _e39, _e40, _e41, _e42);
-    beside_5 = _e43;
-    let _e45 = beside_5;
-    let _e47 = own_1;
-    let _e49 = own_1;
-    let _e51 = beside_5;
-    let _e53 = beside_5;
-    let _e55 = exitSame(_e47.point, _e49.n, _e51.point, _e53.n);
-    if (_e45.exists && _e55) {
-        let _e57 = beside_5;
-        return _e57;
+    let _e41 = at_21;
+    let _e42 = p_13;
+    let _e43 = w_30;
+    let _e44 = which_3;
+    let _e45 = view_22;
+    let _e46 = backFaceAt(_e41, _e42, _e43, _e44, _e45);
+    beside_5 = _e46;
+    let _e48 = beside_5;
+    let _e50 = own_1;
+    let _e52 = own_1;
+    let _e54 = beside_5;
+    let _e56 = beside_5;
+    let _e58 = exitSame(_e50.point, _e52.n, _e54.point, _e56.n);
+    if (_e48.exists && _e58) {
+        let _e60 = beside_5;
+        return _e60;
     }
-    let _e58 = own_1;
-    return _e58;
+    let _e61 = own_1;
+    return _e61;
 }
 
-fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec3<f32>, w_31: f32, number_4: f32, origin_12: vec3<f32>, direction_20: vec3<f32>, view_23: SceneView) -> BackFaceExit {
+fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec3<f32>, w_31: f32, which_4: FaceLayer, origin_12: vec3<f32>, direction_20: vec3<f32>, view_23: SceneView) -> BackFaceExit {
     var face_8: BackFace;
     var at_23: vec2<f32>;
     var hit_1: vec2<f32>;
     var p_15: vec3<f32>;
     var w_32: f32;
-    var number_5: f32;
+    var which_5: FaceLayer;
     var origin_13: vec3<f32>;
     var direction_21: vec3<f32>;
     var view_24: SceneView;
@@ -7270,87 +7303,89 @@ fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec
     hit_1 = hit;
     p_15 = p_14;
     w_32 = w_31;
-    number_5 = number_4;
+    which_5 = which_4;
     origin_13 = origin_12;
     direction_21 = direction_20;
     view_24 = view_23;
-    let _e44 = view_24;
-    let _e46 = pixelStep(_e44, 0i);
-    stepX_2 = _e46;
-    let _e48 = view_24;
-    let _e50 = pixelStep(_e48, 1i);
-    stepY_2 = _e50;
-    let _e52 = face_8;
-    let _e53 = at_23;
-    let _e58 = p_15;
-    let _e59 = w_32;
-    let _e60 = stepX_2;
-    let _e63 = w_32;
-    let _e64 = number_5;
-    let _e65 = view_24;
-    let _e66 = backFaceBeside(_e52, (_e53 + vec2<f32>(1f, 0f)), (_e58 + (_e59 * _e60)), _e63, _e64, _e65);
-    right_2 = _e66;
-    let _e68 = face_8;
-    let _e69 = at_23;
-    let _e74 = p_15;
-    let _e75 = w_32;
-    let _e76 = stepY_2;
-    let _e79 = w_32;
-    let _e80 = number_5;
-    let _e81 = view_24;
-    let _e82 = backFaceBeside(_e68, (_e69 + vec2<f32>(0f, 1f)), (_e74 + (_e75 * _e76)), _e79, _e80, _e81);
-    below_6 = _e82;
-    let _e84 = hit_1;
-    let _e85 = at_23;
-    off_2 = ((_e84 - floor(_e85)) - vec2(0.5f));
-    let _e96 = face_8;
-    let _e98 = off_2;
-    let _e100 = right_2;
-    let _e102 = face_8;
-    let _e107 = off_2;
-    let _e109 = below_6;
-    let _e111 = face_8;
-    found_2.exit.surface.n = normalize(((_e96.n + (_e98.x * (_e100.n - _e102.n))) + (_e107.y * (_e109.n - _e111.n))));
-    let _e120 = face_8;
-    found_2.exit.surface.alpha = _e120.alpha;
-    let _e124 = origin_13;
-    let _e125 = direction_21;
-    let _e126 = face_8;
-    let _e128 = face_8;
-    let _e130 = exitPlane(_e124, _e125, _e126.point, _e128.n);
-    found_2.exit.path = _e130;
-    let _e131 = direction_21;
-    let _e132 = found_2;
-    cosTheta_38 = dot(_e131, _e132.exit.surface.n);
-    let _e138 = face_8;
-    let _e140 = direction_21;
-    let _e141 = right_2;
-    let _e143 = face_8;
-    let _e146 = right_2;
-    let _e148 = face_8;
-    let _e151 = below_6;
-    let _e153 = face_8;
-    let _e156 = below_6;
-    let _e158 = face_8;
-    let _e161 = exitCurvature(_e138.n, _e140, (_e141.point - _e143.point), (_e146.n - _e148.n), (_e151.point - _e153.point), (_e156.n - _e158.n));
-    curvature_4 = _e161;
-    let _e166 = cosTheta_38;
-    let _e167 = found_2;
-    let _e170 = curvature_4;
-    let _e171 = exitTurn(_e166, _e167.exit.path, _e170);
-    found_2.exit.surface.turn = _e171;
-    let _e173 = cosTheta_38;
-    found_2.found = (_e173 > 0f);
-    let _e176 = found_2;
-    return _e176;
+    let _e47 = view_24;
+    let _e49 = pixelStep(_e47, 0i);
+    stepX_2 = _e49;
+    let _e51 = view_24;
+    let _e53 = pixelStep(_e51, 1i);
+    stepY_2 = _e53;
+    let _e55 = face_8;
+    let _e56 = at_23;
+    let _e61 = p_15;
+    let _e62 = w_32;
+    let _e63 = stepX_2;
+    let _e66 = w_32;
+    let _e67 = which_5;
+    let _e68 = view_24;
+    let _e69 = backFaceBeside(_e55, (_e56 + vec2<f32>(1f, 0f)), (_e61 + (_e62 * _e63)), _e66, _e67, _e68);
+    right_2 = _e69;
+    let _e71 = face_8;
+    let _e72 = at_23;
+    let _e77 = p_15;
+    let _e78 = w_32;
+    let _e79 = stepY_2;
+    let _e82 = w_32;
+    let _e83 = which_5;
+    let _e84 = view_24;
+    let _e85 = backFaceBeside(_e71, (_e72 + vec2<f32>(0f, 1f)), (_e77 + (_e78 * _e79)), _e82, _e83, _e84);
+    below_6 = _e85;
+    let _e87 = hit_1;
+    let _e88 = at_23;
+    off_2 = ((_e87 - floor(_e88)) - vec2(0.5f));
+    let _e99 = face_8;
+    let _e101 = off_2;
+    let _e103 = right_2;
+    let _e105 = face_8;
+    let _e110 = off_2;
+    let _e112 = below_6;
+    let _e114 = face_8;
+    found_2.exit.surface.n = normalize(((_e99.n + (_e101.x * (_e103.n - _e105.n))) + (_e110.y * (_e112.n - _e114.n))));
+    let _e123 = face_8;
+    found_2.exit.surface.alpha = _e123.alpha;
+    let _e127 = origin_13;
+    let _e128 = direction_21;
+    let _e129 = face_8;
+    let _e131 = face_8;
+    let _e133 = exitPlane(_e127, _e128, _e129.point, _e131.n);
+    found_2.exit.path = _e133;
+    let _e135 = face_8;
+    found_2.number = _e135.number;
+    let _e137 = direction_21;
+    let _e138 = found_2;
+    cosTheta_38 = dot(_e137, _e138.exit.surface.n);
+    let _e144 = face_8;
+    let _e146 = direction_21;
+    let _e147 = right_2;
+    let _e149 = face_8;
+    let _e152 = right_2;
+    let _e154 = face_8;
+    let _e157 = below_6;
+    let _e159 = face_8;
+    let _e162 = below_6;
+    let _e164 = face_8;
+    let _e167 = exitCurvature(_e144.n, _e146, (_e147.point - _e149.point), (_e152.n - _e154.n), (_e157.point - _e159.point), (_e162.n - _e164.n));
+    curvature_4 = _e167;
+    let _e172 = cosTheta_38;
+    let _e173 = found_2;
+    let _e176 = curvature_4;
+    let _e177 = exitTurn(_e172, _e173.exit.path, _e176);
+    found_2.exit.surface.turn = _e177;
+    let _e179 = cosTheta_38;
+    found_2.found = (_e179 > 0f);
+    let _e182 = found_2;
+    return _e182;
 }
 
-fn backFaceExit(origin_14: vec3<f32>, direction_22: vec3<f32>, first_6: f32, eta_44: f32, number_6: f32, view_25: SceneView) -> BackFaceExit {
+fn backFaceExit(origin_14: vec3<f32>, direction_22: vec3<f32>, first_6: f32, eta_44: f32, which_6: FaceLayer, view_25: SceneView) -> BackFaceExit {
     var origin_15: vec3<f32>;
     var direction_23: vec3<f32>;
     var first_7: f32;
     var eta_45: f32;
-    var number_7: f32;
+    var which_7: FaceLayer;
     var view_26: SceneView;
     var none: BackFaceExit;
     var inside_2: f32 = 0f;
@@ -7371,131 +7406,132 @@ fn backFaceExit(origin_14: vec3<f32>, direction_22: vec3<f32>, first_6: f32, eta
     direction_23 = direction_22;
     first_7 = first_6;
     eta_45 = eta_44;
-    number_7 = number_6;
+    which_7 = which_6;
     view_26 = view_25;
-    let _e42 = direction_23;
-    none.exit.surface.n = _e42;
+    let _e45 = direction_23;
+    none.exit.surface.n = _e45;
     none.exit.surface.alpha = 0f;
     none.exit.surface.turn = vec2(0f);
     none.exit.path = 0f;
-    let _e58 = eta_45;
-    none.exit.surface.eta = _e58;
+    let _e61 = eta_45;
+    none.exit.surface.eta = _e61;
+    none.number = 0f;
     none.found = false;
-    let _e63 = first_7;
-    t_29 = _e63;
+    let _e68 = first_7;
+    t_29 = _e68;
     loop {
-        let _e67 = k_25;
-        if !((_e67 < BACK_FACE_STEPS)) {
+        let _e72 = k_25;
+        if !((_e72 < BACK_FACE_STEPS)) {
             break;
         }
         {
-            let _e73 = origin_15;
-            let _e74 = t_29;
-            let _e75 = direction_23;
-            p_16 = (_e73 + (_e74 * _e75));
-            let _e79 = view_26;
-            let _e81 = p_16;
-            clip_3 = (_e79.clipFromWorld * vec4<f32>(_e81.x, _e81.y, _e81.z, 1f));
-            let _e89 = clip_3;
-            if !((_e89.w > 0f)) {
-                let _e94 = none;
-                return _e94;
+            let _e78 = origin_15;
+            let _e79 = t_29;
+            let _e80 = direction_23;
+            p_16 = (_e78 + (_e79 * _e80));
+            let _e84 = view_26;
+            let _e86 = p_16;
+            clip_3 = (_e84.clipFromWorld * vec4<f32>(_e86.x, _e86.y, _e86.z, 1f));
+            let _e94 = clip_3;
+            if !((_e94.w > 0f)) {
+                let _e99 = none;
+                return _e99;
             }
-            let _e95 = clip_3;
-            let _e96 = view_26;
-            let _e98 = scenePixel(_e95, _e96.size);
-            at_24 = _e98;
-            let _e100 = at_24;
-            let _e101 = p_16;
-            let _e102 = clip_3;
-            let _e104 = number_7;
-            let _e105 = view_26;
-            let _e106 = backFaceAt(_e100, _e101, _e102.w, _e104, _e105);
-            face_9 = _e106;
-            let _e108 = origin_15;
-            let _e109 = direction_23;
-            let _e110 = face_9;
-            let _e112 = face_9;
-            let _e114 = exitPlane(_e108, _e109, _e110.point, _e112.n);
-            met_4 = _e114;
-            let _e116 = face_9;
-            let _e118 = direction_23;
-            let _e119 = face_9;
-            let _e125 = met_4;
-            meets = ((_e116.exists && (dot(_e118, _e119.n) > 0f)) && (_e125 > 0f));
-            let _e130 = k_25;
-            let _e133 = meets;
-            let _e136 = face_9;
-            if (((_e130 == 0i) && !(_e133)) && _e136.exists) {
+            let _e100 = clip_3;
+            let _e101 = view_26;
+            let _e103 = scenePixel(_e100, _e101.size);
+            at_24 = _e103;
+            let _e105 = at_24;
+            let _e106 = p_16;
+            let _e107 = clip_3;
+            let _e109 = which_7;
+            let _e110 = view_26;
+            let _e111 = backFaceAt(_e105, _e106, _e107.w, _e109, _e110);
+            face_9 = _e111;
+            let _e113 = origin_15;
+            let _e114 = direction_23;
+            let _e115 = face_9;
+            let _e117 = face_9;
+            let _e119 = exitPlane(_e113, _e114, _e115.point, _e117.n);
+            met_4 = _e119;
+            let _e121 = face_9;
+            let _e123 = direction_23;
+            let _e124 = face_9;
+            let _e130 = met_4;
+            meets = ((_e121.exists && (dot(_e123, _e124.n) > 0f)) && (_e130 > 0f));
+            let _e135 = k_25;
+            let _e138 = meets;
+            let _e141 = face_9;
+            if (((_e135 == 0i) && !(_e138)) && _e141.exists) {
                 {
-                    let _e139 = face_9;
-                    let _e141 = p_16;
-                    t_29 = length((_e139.point - _e141));
+                    let _e144 = face_9;
+                    let _e146 = p_16;
+                    t_29 = length((_e144.point - _e146));
                     continue;
                 }
             }
-            let _e144 = k_25;
-            let _e147 = meets;
-            if ((_e144 == 0i) && !(_e147)) {
-                let _e150 = none;
-                return _e150;
+            let _e149 = k_25;
+            let _e152 = meets;
+            if ((_e149 == 0i) && !(_e152)) {
+                let _e155 = none;
+                return _e155;
             }
-            let _e151 = meets;
-            if !(_e151) {
+            let _e156 = meets;
+            if !(_e156) {
                 {
-                    let _e154 = inside_2;
-                    let _e155 = t_29;
-                    t_29 = (0.5f * (_e154 + _e155));
+                    let _e159 = inside_2;
+                    let _e160 = t_29;
+                    t_29 = (0.5f * (_e159 + _e160));
                     continue;
                 }
             }
-            let _e158 = view_26;
-            let _e160 = origin_15;
-            let _e161 = met_4;
-            let _e162 = direction_23;
-            let _e164 = (_e160 + (_e161 * _e162));
-            there_1 = (_e158.clipFromWorld * vec4<f32>(_e164.x, _e164.y, _e164.z, 1f));
-            let _e172 = there_1;
-            let _e173 = view_26;
-            let _e175 = scenePixel(_e172, _e173.size);
-            hit_2 = _e175;
-            let _e177 = hit_2;
-            let _e178 = at_24;
-            moved = (_e177 - _e178);
-            let _e181 = there_1;
-            let _e185 = moved;
-            let _e186 = moved;
-            if ((_e181.w > 0f) && (dot(_e185, _e186) < 0.5f)) {
+            let _e163 = view_26;
+            let _e165 = origin_15;
+            let _e166 = met_4;
+            let _e167 = direction_23;
+            let _e169 = (_e165 + (_e166 * _e167));
+            there_1 = (_e163.clipFromWorld * vec4<f32>(_e169.x, _e169.y, _e169.z, 1f));
+            let _e177 = there_1;
+            let _e178 = view_26;
+            let _e180 = scenePixel(_e177, _e178.size);
+            hit_2 = _e180;
+            let _e182 = hit_2;
+            let _e183 = at_24;
+            moved = (_e182 - _e183);
+            let _e186 = there_1;
+            let _e190 = moved;
+            let _e191 = moved;
+            if ((_e186.w > 0f) && (dot(_e190, _e191) < 0.5f)) {
                 {
-                    let _e191 = face_9;
-                    let _e192 = at_24;
-                    let _e193 = hit_2;
-                    let _e194 = p_16;
-                    let _e195 = clip_3;
-                    let _e197 = number_7;
-                    let _e198 = origin_15;
-                    let _e199 = direction_23;
-                    let _e200 = view_26;
-                    let _e201 = backFaceBetween(_e191, _e192, _e193, _e194, _e195.w, _e197, _e198, _e199, _e200);
-                    found_3 = _e201;
-                    let _e206 = eta_45;
-                    found_3.exit.surface.eta = _e206;
-                    let _e207 = found_3;
-                    return _e207;
+                    let _e196 = face_9;
+                    let _e197 = at_24;
+                    let _e198 = hit_2;
+                    let _e199 = p_16;
+                    let _e200 = clip_3;
+                    let _e202 = which_7;
+                    let _e203 = origin_15;
+                    let _e204 = direction_23;
+                    let _e205 = view_26;
+                    let _e206 = backFaceBetween(_e196, _e197, _e198, _e199, _e200.w, _e202, _e203, _e204, _e205);
+                    found_3 = _e206;
+                    let _e211 = eta_45;
+                    found_3.exit.surface.eta = _e211;
+                    let _e212 = found_3;
+                    return _e212;
                 }
             }
-            let _e208 = t_29;
-            inside_2 = _e208;
-            let _e209 = met_4;
-            t_29 = _e209;
+            let _e213 = t_29;
+            inside_2 = _e213;
+            let _e214 = met_4;
+            t_29 = _e214;
         }
         continuing {
-            let _e70 = k_25;
-            k_25 = (_e70 + 1i);
+            let _e75 = k_25;
+            k_25 = (_e75 + 1i);
         }
     }
-    let _e210 = none;
-    return _e210;
+    let _e215 = none;
+    return _e215;
 }
 
 fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: f32, sigma_8: f32, weight: f32, energy_1: f32) -> ComposedLobe {
@@ -7513,7 +7549,7 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     var t_30: vec3<f32>;
     var d_18: vec2<f32>;
     var l_4: vec2<f32>;
-    var local_87: f32;
+    var local_88: f32;
     var h_15: vec2<f32>;
     var bend: f32;
     var ci: f32;
@@ -7526,7 +7562,7 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     var sigma2_: f32;
     var inPlane: f32;
     var outOfPlane: f32;
-    var local_88: f32;
+    var local_89: f32;
     var carriedInPlane: f32;
 
     inner_3 = inner_2;
@@ -7536,225 +7572,225 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     sigma_9 = sigma_8;
     weight_1 = weight;
     energy_2 = energy_1;
-    let _e46 = inner_3;
-    lobe_3.direction = _e46.direction;
     let _e49 = inner_3;
-    lobe_3.sigma = _e49.sigma;
+    lobe_3.direction = _e49.direction;
     let _e52 = inner_3;
-    lobe_3.inner = _e52.sigma;
+    lobe_3.sigma = _e52.sigma;
     let _e55 = inner_3;
-    lobe_3.carried = _e55.sigma;
+    lobe_3.inner = _e55.sigma;
     let _e58 = inner_3;
-    let _e60 = weight_1;
-    let _e62 = energy_2;
-    lobe_3.weight = ((_e58.weight * _e60) * _e62);
-    let _e64 = view_28;
-    if !((_e64.cosTheta > 0f)) {
+    lobe_3.carried = _e58.sigma;
+    let _e61 = inner_3;
+    let _e63 = weight_1;
+    let _e65 = energy_2;
+    lobe_3.weight = ((_e61.weight * _e63) * _e65);
+    let _e67 = view_28;
+    if !((_e67.cosTheta > 0f)) {
         lobe_3.weight = 0f;
     }
-    let _e72 = s_18;
-    ratio_1 = (1f / _e72.eta);
-    let _e76 = view_28;
-    let _e81 = ratio_1;
-    if (!((_e76.cosTheta > 0f)) || (abs((_e81 - 1f)) < INDEX_MATCHED)) {
-        let _e87 = lobe_3;
-        return _e87;
+    let _e75 = s_18;
+    ratio_1 = (1f / _e75.eta);
+    let _e79 = view_28;
+    let _e84 = ratio_1;
+    if (!((_e79.cosTheta > 0f)) || (abs((_e84 - 1f)) < INDEX_MATCHED)) {
+        let _e90 = lobe_3;
+        return _e90;
     }
-    let _e88 = inner_3;
-    let _e90 = view_28;
-    let _e92 = s_18;
-    along_15 = (_e88.direction - (_e90.cosTheta * _e92.n));
-    let _e97 = along_15;
-    sinTheta_1 = length(_e97);
+    let _e91 = inner_3;
+    let _e93 = view_28;
+    let _e95 = s_18;
+    along_15 = (_e91.direction - (_e93.cosTheta * _e95.n));
     let _e100 = along_15;
-    let _e101 = sinTheta_1;
-    t_30 = (_e100 / vec3(max(_e101, 0.000000000001f)));
-    let _e107 = sinTheta_1;
-    let _e108 = view_28;
-    d_18 = vec2<f32>(_e107, _e108.cosTheta);
-    let _e112 = angle_1;
-    let _e114 = angle_1;
-    l_4 = vec2<f32>(sin(_e112), cos(_e114));
-    let _e118 = ratio_1;
-    let _e119 = d_18;
-    let _e121 = l_4;
-    let _e123 = ratio_1;
-    if (_e123 < 1f) {
-        local_87 = -1f;
+    sinTheta_1 = length(_e100);
+    let _e103 = along_15;
+    let _e104 = sinTheta_1;
+    t_30 = (_e103 / vec3(max(_e104, 0.000000000001f)));
+    let _e110 = sinTheta_1;
+    let _e111 = view_28;
+    d_18 = vec2<f32>(_e110, _e111.cosTheta);
+    let _e115 = angle_1;
+    let _e117 = angle_1;
+    l_4 = vec2<f32>(sin(_e115), cos(_e117));
+    let _e121 = ratio_1;
+    let _e122 = d_18;
+    let _e124 = l_4;
+    let _e126 = ratio_1;
+    if (_e126 < 1f) {
+        local_88 = -1f;
     } else {
-        local_87 = 1f;
+        local_88 = 1f;
     }
-    let _e130 = local_87;
-    h_15 = (((_e118 * _e119) - _e121) * _e130);
-    let _e133 = h_15;
-    bend = max(length(_e133), 0.00005f);
-    let _e140 = d_18;
-    let _e141 = h_15;
-    let _e143 = bend;
-    ci = (dot(_e140, _e141) / _e143);
-    let _e146 = l_4;
-    let _e147 = h_15;
-    let _e149 = bend;
-    co = max((dot(_e146, _e147) / _e149), FACET_LEAST_COS);
-    let _e154 = view_28;
-    rays_1 = (1f - _e154.own);
-    let _e158 = angle_1;
-    let _e159 = rays_1;
-    let _e161 = view_28;
-    let _e164 = h_15;
-    let _e166 = h_15;
-    turned_1 = clamp((_e158 - (((GIVEN_BACK * _e159) / _e161.swing) * atan2(_e164.x, abs(_e166.y)))), -1.5707964f, 1.5707964f);
-    let _e182 = turned_1;
-    let _e184 = t_30;
-    let _e186 = turned_1;
-    let _e188 = s_18;
-    lobe_3.direction = normalize(((sin(_e182) * _e184) + (cos(_e186) * _e188.n)));
-    let _e193 = view_28;
-    let _e195 = rays_1;
-    let _e197 = view_28;
-    let _e201 = view_28;
-    kept = (_e193.own - ((_e195 * (1f - _e197.swing)) / _e201.swing));
-    let _e206 = sigma_9;
-    let _e207 = co;
-    let _e210 = ratio_1;
-    let _e211 = ci;
-    let _e213 = kept;
-    let _e214 = co;
-    let _e218 = bend;
-    seen_1 = (((_e206 * inverseSqrt(_e207)) * ((_e210 * _e211) - (_e213 * _e214))) / _e218);
-    let _e221 = ratio_1;
-    let _e222 = co;
-    let _e223 = ratio_1;
-    let _e224 = ci;
-    let _e227 = s_18;
-    across_12 = (_e221 + ((_e222 - (_e223 * _e224)) * _e227.turn.y));
-    let _e233 = inner_3;
-    let _e235 = inner_3;
-    sigma2_ = (_e233.sigma * _e235.sigma);
-    let _e239 = seen_1;
-    let _e240 = seen_1;
-    let _e242 = view_28;
-    let _e244 = sigma2_;
-    inPlane = min(((_e239 * _e240) + (_e242.own * _e244)), 0.09f);
-    let _e252 = view_28;
-    let _e254 = sigma_9;
-    let _e256 = sigma_9;
-    let _e258 = co;
-    let _e260 = across_12;
-    let _e261 = across_12;
-    let _e263 = sigma2_;
-    outOfPlane = ((((_e252.own * _e254) * _e256) * _e258) + ((_e260 * _e261) * _e263));
-    let _e268 = inPlane;
-    let _e269 = outOfPlane;
-    lobe_3.sigma = sqrt(sqrt((_e268 * _e269)));
-    let _e273 = view_28;
-    if (_e273.swing < 0f) {
-        let _e277 = rays_1;
-        local_88 = -(sqrt(_e277));
-    } else {
+    let _e133 = local_88;
+    h_15 = (((_e121 * _e122) - _e124) * _e133);
+    let _e136 = h_15;
+    bend = max(length(_e136), 0.00005f);
+    let _e143 = d_18;
+    let _e144 = h_15;
+    let _e146 = bend;
+    ci = (dot(_e143, _e144) / _e146);
+    let _e149 = l_4;
+    let _e150 = h_15;
+    let _e152 = bend;
+    co = max((dot(_e149, _e150) / _e152), FACET_LEAST_COS);
+    let _e157 = view_28;
+    rays_1 = (1f - _e157.own);
+    let _e161 = angle_1;
+    let _e162 = rays_1;
+    let _e164 = view_28;
+    let _e167 = h_15;
+    let _e169 = h_15;
+    turned_1 = clamp((_e161 - (((GIVEN_BACK * _e162) / _e164.swing) * atan2(_e167.x, abs(_e169.y)))), -1.5707964f, 1.5707964f);
+    let _e185 = turned_1;
+    let _e187 = t_30;
+    let _e189 = turned_1;
+    let _e191 = s_18;
+    lobe_3.direction = normalize(((sin(_e185) * _e187) + (cos(_e189) * _e191.n)));
+    let _e196 = view_28;
+    let _e198 = rays_1;
+    let _e200 = view_28;
+    let _e204 = view_28;
+    kept = (_e196.own - ((_e198 * (1f - _e200.swing)) / _e204.swing));
+    let _e209 = sigma_9;
+    let _e210 = co;
+    let _e213 = ratio_1;
+    let _e214 = ci;
+    let _e216 = kept;
+    let _e217 = co;
+    let _e221 = bend;
+    seen_1 = (((_e209 * inverseSqrt(_e210)) * ((_e213 * _e214) - (_e216 * _e217))) / _e221);
+    let _e224 = ratio_1;
+    let _e225 = co;
+    let _e226 = ratio_1;
+    let _e227 = ci;
+    let _e230 = s_18;
+    across_12 = (_e224 + ((_e225 - (_e226 * _e227)) * _e230.turn.y));
+    let _e236 = inner_3;
+    let _e238 = inner_3;
+    sigma2_ = (_e236.sigma * _e238.sigma);
+    let _e242 = seen_1;
+    let _e243 = seen_1;
+    let _e245 = view_28;
+    let _e247 = sigma2_;
+    inPlane = min(((_e242 * _e243) + (_e245.own * _e247)), 0.09f);
+    let _e255 = view_28;
+    let _e257 = sigma_9;
+    let _e259 = sigma_9;
+    let _e261 = co;
+    let _e263 = across_12;
+    let _e264 = across_12;
+    let _e266 = sigma2_;
+    outOfPlane = ((((_e255.own * _e257) * _e259) * _e261) + ((_e263 * _e264) * _e266));
+    let _e271 = inPlane;
+    let _e272 = outOfPlane;
+    lobe_3.sigma = sqrt(sqrt((_e271 * _e272)));
+    let _e276 = view_28;
+    if (_e276.swing < 0f) {
         let _e280 = rays_1;
-        local_88 = sqrt(_e280);
+        local_89 = -(sqrt(_e280));
+    } else {
+        let _e283 = rays_1;
+        local_89 = sqrt(_e283);
     }
-    let _e283 = local_88;
-    let _e284 = seen_1;
-    let _e286 = view_28;
-    let _e288 = inner_3;
-    carriedInPlane = ((_e283 * _e284) + (_e286.own * _e288.sigma));
-    let _e295 = carriedInPlane;
-    let _e296 = across_12;
-    let _e297 = inner_3;
-    let _e302 = lobe_3;
+    let _e286 = local_89;
+    let _e287 = seen_1;
+    let _e289 = view_28;
+    let _e291 = inner_3;
+    carriedInPlane = ((_e286 * _e287) + (_e289.own * _e291.sigma));
+    let _e298 = carriedInPlane;
+    let _e299 = across_12;
+    let _e300 = inner_3;
     let _e305 = lobe_3;
-    lobe_3.carried = clamp((0.5f * (_e295 + (_e296 * _e297.sigma))), -(_e302.sigma), _e305.sigma);
     let _e308 = lobe_3;
-    return _e308;
+    lobe_3.carried = clamp((0.5f * (_e298 + (_e299 * _e300.sigma))), -(_e305.sigma), _e308.sigma);
+    let _e311 = lobe_3;
+    return _e311;
 }
 
 fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
     var a_34: ComposedLobe;
     var b_24: ComposedLobe;
     var weight_2: f32;
-    var local_89: f32;
+    var local_90: f32;
     var share_4: f32;
     var apart_1: vec3<f32>;
     var mean_2: vec3<f32>;
     var inner2_: f32;
     var both: f32;
     var lobe_4: ComposedLobe;
-    var local_90: vec3<f32>;
-    var local_91: f32;
+    var local_91: vec3<f32>;
+    var local_92: f32;
 
     a_34 = a_33;
     b_24 = b_23;
-    let _e34 = a_34;
-    let _e36 = b_24;
-    weight_2 = (_e34.weight + _e36.weight);
-    let _e40 = weight_2;
-    if (_e40 > 0f) {
-        let _e43 = b_24;
-        let _e45 = weight_2;
-        local_89 = (_e43.weight / _e45);
+    let _e37 = a_34;
+    let _e39 = b_24;
+    weight_2 = (_e37.weight + _e39.weight);
+    let _e43 = weight_2;
+    if (_e43 > 0f) {
+        let _e46 = b_24;
+        let _e48 = weight_2;
+        local_90 = (_e46.weight / _e48);
     } else {
-        local_89 = 0f;
+        local_90 = 0f;
     }
-    let _e49 = local_89;
-    share_4 = _e49;
-    let _e51 = b_24;
-    let _e53 = a_34;
-    apart_1 = (_e51.direction - _e53.direction);
-    let _e57 = a_34;
-    let _e59 = share_4;
-    let _e60 = apart_1;
-    mean_2 = (_e57.direction + (_e59 * _e60));
-    let _e64 = a_34;
-    let _e66 = a_34;
-    let _e69 = b_24;
-    let _e71 = b_24;
-    let _e74 = share_4;
-    inner2_ = mix((_e64.inner * _e66.inner), (_e69.inner * _e71.inner), _e74);
-    let _e77 = a_34;
-    let _e79 = a_34;
-    let _e82 = b_24;
-    let _e84 = b_24;
-    let _e87 = share_4;
-    both = mix((_e77.inner * _e79.carried), (_e82.inner * _e84.carried), _e87);
-    let _e92 = weight_2;
-    lobe_4.weight = _e92;
-    let _e94 = mean_2;
-    let _e95 = mean_2;
-    if (dot(_e94, _e95) > 0.000001f) {
-        let _e99 = mean_2;
-        local_90 = normalize(_e99);
+    let _e52 = local_90;
+    share_4 = _e52;
+    let _e54 = b_24;
+    let _e56 = a_34;
+    apart_1 = (_e54.direction - _e56.direction);
+    let _e60 = a_34;
+    let _e62 = share_4;
+    let _e63 = apart_1;
+    mean_2 = (_e60.direction + (_e62 * _e63));
+    let _e67 = a_34;
+    let _e69 = a_34;
+    let _e72 = b_24;
+    let _e74 = b_24;
+    let _e77 = share_4;
+    inner2_ = mix((_e67.inner * _e69.inner), (_e72.inner * _e74.inner), _e77);
+    let _e80 = a_34;
+    let _e82 = a_34;
+    let _e85 = b_24;
+    let _e87 = b_24;
+    let _e90 = share_4;
+    both = mix((_e80.inner * _e82.carried), (_e85.inner * _e87.carried), _e90);
+    let _e95 = weight_2;
+    lobe_4.weight = _e95;
+    let _e97 = mean_2;
+    let _e98 = mean_2;
+    if (dot(_e97, _e98) > 0.000001f) {
+        let _e102 = mean_2;
+        local_91 = normalize(_e102);
     } else {
-        let _e101 = a_34;
-        local_90 = _e101.direction;
+        let _e104 = a_34;
+        local_91 = _e104.direction;
     }
-    let _e104 = local_90;
-    lobe_4.direction = _e104;
-    let _e106 = a_34;
-    let _e108 = a_34;
-    let _e111 = b_24;
-    let _e113 = b_24;
-    let _e116 = share_4;
+    let _e107 = local_91;
+    lobe_4.direction = _e107;
+    let _e109 = a_34;
+    let _e111 = a_34;
+    let _e114 = b_24;
+    let _e116 = b_24;
     let _e119 = share_4;
     let _e122 = share_4;
-    let _e125 = apart_1;
-    let _e126 = apart_1;
-    lobe_4.sigma = sqrt((mix((_e106.sigma * _e108.sigma), (_e111.sigma * _e113.sigma), _e116) + (((0.5f * _e119) * (1f - _e122)) * dot(_e125, _e126))));
-    let _e132 = inner2_;
-    lobe_4.inner = sqrt(_e132);
-    let _e135 = lobe_4;
-    if (_e135.inner > 0f) {
-        let _e139 = both;
-        let _e140 = lobe_4;
-        local_91 = (_e139 / _e140.inner);
+    let _e125 = share_4;
+    let _e128 = apart_1;
+    let _e129 = apart_1;
+    lobe_4.sigma = sqrt((mix((_e109.sigma * _e111.sigma), (_e114.sigma * _e116.sigma), _e119) + (((0.5f * _e122) * (1f - _e125)) * dot(_e128, _e129))));
+    let _e135 = inner2_;
+    lobe_4.inner = sqrt(_e135);
+    let _e138 = lobe_4;
+    if (_e138.inner > 0f) {
+        let _e142 = both;
+        let _e143 = lobe_4;
+        local_92 = (_e142 / _e143.inner);
     } else {
-        local_91 = 0f;
+        local_92 = 0f;
     }
-    let _e145 = local_91;
-    lobe_4.carried = _e145;
-    let _e146 = lobe_4;
-    return _e146;
+    let _e148 = local_92;
+    lobe_4.carried = _e148;
+    let _e149 = lobe_4;
+    return _e149;
 }
 
 fn composedPair(core_2: ComposedLobe, tail_1: ComposedLobe, view_29: ExitView) -> ComposedPair {
@@ -7767,21 +7803,21 @@ fn composedPair(core_2: ComposedLobe, tail_1: ComposedLobe, view_29: ExitView) -
     core_3 = core_2;
     tail_2 = tail_1;
     view_30 = view_29;
-    let _e37 = view_30;
-    let _e40 = tail_2;
-    moved_1 = ((1f - _e37.own) * _e40.weight);
-    let _e46 = core_3;
-    pair_1.core = _e46;
-    let _e48 = tail_2;
-    pair_1.rest = _e48;
-    let _e51 = core_3;
-    let _e53 = moved_1;
-    pair_1.core.weight = (_e51.weight + _e53);
-    let _e57 = tail_2;
-    let _e59 = moved_1;
-    pair_1.rest.weight = (_e57.weight - _e59);
-    let _e61 = pair_1;
-    return _e61;
+    let _e40 = view_30;
+    let _e43 = tail_2;
+    moved_1 = ((1f - _e40.own) * _e43.weight);
+    let _e49 = core_3;
+    pair_1.core = _e49;
+    let _e51 = tail_2;
+    pair_1.rest = _e51;
+    let _e54 = core_3;
+    let _e56 = moved_1;
+    pair_1.core.weight = (_e54.weight + _e56);
+    let _e60 = tail_2;
+    let _e62 = moved_1;
+    pair_1.rest.weight = (_e60.weight - _e62);
+    let _e64 = pair_1;
+    return _e64;
 }
 
 fn mergePairs(core_4: ComposedPair, tail_3: ComposedPair) -> ComposedPair {
@@ -7791,16 +7827,16 @@ fn mergePairs(core_4: ComposedPair, tail_3: ComposedPair) -> ComposedPair {
 
     core_5 = core_4;
     tail_4 = tail_3;
-    let _e36 = core_5;
-    pair_2.core = _e36.core;
     let _e39 = core_5;
-    let _e41 = tail_4;
-    let _e43 = mergeLobes(_e39.rest, _e41.core);
+    pair_2.core = _e39.core;
+    let _e42 = core_5;
     let _e44 = tail_4;
-    let _e46 = mergeLobes(_e43, _e44.rest);
-    pair_2.rest = _e46;
-    let _e47 = pair_2;
-    return _e47;
+    let _e46 = mergeLobes(_e42.rest, _e44.core);
+    let _e47 = tail_4;
+    let _e49 = mergeLobes(_e46, _e47.rest);
+    pair_2.rest = _e49;
+    let _e50 = pair_2;
+    return _e50;
 }
 
 fn interfaceCosineAxis(cosTheta_39: f32, eta_46: f32) -> f32 {
@@ -7809,82 +7845,82 @@ fn interfaceCosineAxis(cosTheta_39: f32, eta_46: f32) -> f32 {
     var c_31: f32;
     var critical: f32;
     var past: bool;
-    var local_92: f32;
+    var local_93: f32;
     var along_16: f32;
     var grazing_1: bool;
-    var local_93: f32;
     var local_94: f32;
-    var x_26: f32;
     var local_95: f32;
+    var x_26: f32;
     var local_96: f32;
+    var local_97: f32;
 
     cosTheta_40 = cosTheta_39;
     eta_47 = eta_46;
-    let _e40 = cosTheta_40;
-    c_31 = clamp(_e40, 0f, 1f);
-    let _e45 = eta_47;
-    if (_e45 >= 1f) {
-        let _e48 = c_31;
-        return sqrt(_e48);
+    let _e43 = cosTheta_40;
+    c_31 = clamp(_e43, 0f, 1f);
+    let _e48 = eta_47;
+    if (_e48 >= 1f) {
+        let _e51 = c_31;
+        return sqrt(_e51);
     }
-    let _e51 = eta_47;
     let _e54 = eta_47;
-    critical = sqrt(((1f - _e51) * (1f + _e54)));
-    let _e59 = c_31;
-    let _e60 = critical;
-    past = (_e59 < _e60);
-    let _e63 = past;
-    if _e63 {
-        let _e64 = c_31;
-        let _e65 = critical;
-        local_92 = (_e64 / _e65);
-    } else {
+    let _e57 = eta_47;
+    critical = sqrt(((1f - _e54) * (1f + _e57)));
+    let _e62 = c_31;
+    let _e63 = critical;
+    past = (_e62 < _e63);
+    let _e66 = past;
+    if _e66 {
         let _e67 = c_31;
         let _e68 = critical;
+        local_93 = (_e67 / _e68);
+    } else {
+        let _e70 = c_31;
         let _e71 = critical;
-        local_92 = ((_e67 - _e68) / (1f - _e71));
+        let _e74 = critical;
+        local_93 = ((_e70 - _e71) / (1f - _e74));
     }
-    let _e75 = local_92;
-    along_16 = _e75;
-    let _e77 = past;
-    let _e78 = along_16;
-    grazing_1 = (_e77 && (_e78 < 0.5f));
-    let _e83 = past;
-    if _e83 {
-        let _e85 = grazing_1;
-        if _e85 {
-            let _e86 = along_16;
-            local_93 = _e86;
+    let _e78 = local_93;
+    along_16 = _e78;
+    let _e80 = past;
+    let _e81 = along_16;
+    grazing_1 = (_e80 && (_e81 < 0.5f));
+    let _e86 = past;
+    if _e86 {
+        let _e88 = grazing_1;
+        if _e88 {
+            let _e89 = along_16;
+            local_94 = _e89;
         } else {
-            let _e88 = along_16;
-            local_93 = (1f - _e88);
+            let _e91 = along_16;
+            local_94 = (1f - _e91);
         }
-        let _e91 = local_93;
-        local_94 = (0.125f * _e91);
+        let _e94 = local_94;
+        local_95 = (0.125f * _e94);
     } else {
-        let _e94 = along_16;
-        local_94 = (0.25f * _e94);
+        let _e97 = along_16;
+        local_95 = (0.25f * _e97);
     }
-    let _e97 = local_94;
-    x_26 = sqrt(_e97);
-    let _e100 = grazing_1;
-    if _e100 {
-        let _e101 = x_26;
-        local_96 = _e101;
+    let _e100 = local_95;
+    x_26 = sqrt(_e100);
+    let _e103 = grazing_1;
+    if _e103 {
+        let _e104 = x_26;
+        local_97 = _e104;
     } else {
-        let _e102 = past;
-        if _e102 {
-            let _e104 = x_26;
-            local_95 = (0.5f - _e104);
-        } else {
+        let _e105 = past;
+        if _e105 {
             let _e107 = x_26;
-            local_95 = (0.5f + _e107);
+            local_96 = (0.5f - _e107);
+        } else {
+            let _e110 = x_26;
+            local_96 = (0.5f + _e110);
         }
-        let _e110 = local_95;
-        local_96 = _e110;
+        let _e113 = local_96;
+        local_97 = _e113;
     }
-    let _e112 = local_96;
-    return _e112;
+    let _e115 = local_97;
+    return _e115;
 }
 
 fn interfaceCosineAt(x_27: f32, eta_48: f32) -> f32 {
@@ -7892,91 +7928,91 @@ fn interfaceCosineAt(x_27: f32, eta_48: f32) -> f32 {
     var eta_49: f32;
     var critical_1: f32;
     var away: f32;
-    var local_97: f32;
+    var local_98: f32;
 
     x_28 = x_27;
     eta_49 = eta_48;
-    let _e40 = eta_49;
-    if (_e40 >= 1f) {
-        let _e43 = x_28;
-        let _e44 = x_28;
-        return (_e43 * _e44);
+    let _e43 = eta_49;
+    if (_e43 >= 1f) {
+        let _e46 = x_28;
+        let _e47 = x_28;
+        return (_e46 * _e47);
     }
-    let _e47 = eta_49;
     let _e50 = eta_49;
-    critical_1 = sqrt(((1f - _e47) * (1f + _e50)));
-    let _e55 = x_28;
-    away = (_e55 - 0.5f);
-    let _e59 = away;
-    if (_e59 >= 0f) {
-        let _e62 = critical_1;
-        let _e64 = away;
-        let _e66 = away;
-        let _e69 = critical_1;
-        return (_e62 + (((4f * _e64) * _e66) * (1f - _e69)));
+    let _e53 = eta_49;
+    critical_1 = sqrt(((1f - _e50) * (1f + _e53)));
+    let _e58 = x_28;
+    away = (_e58 - 0.5f);
+    let _e62 = away;
+    if (_e62 >= 0f) {
+        let _e65 = critical_1;
+        let _e67 = away;
+        let _e69 = away;
+        let _e72 = critical_1;
+        return (_e65 + (((4f * _e67) * _e69) * (1f - _e72)));
     }
-    let _e73 = critical_1;
-    let _e74 = x_28;
-    if (_e74 < 0.25f) {
-        let _e78 = x_28;
-        let _e80 = x_28;
-        local_97 = ((8f * _e78) * _e80);
+    let _e76 = critical_1;
+    let _e77 = x_28;
+    if (_e77 < 0.25f) {
+        let _e81 = x_28;
+        let _e83 = x_28;
+        local_98 = ((8f * _e81) * _e83);
     } else {
-        let _e84 = away;
-        let _e86 = away;
-        local_97 = (1f - ((8f * _e84) * _e86));
+        let _e87 = away;
+        let _e89 = away;
+        local_98 = (1f - ((8f * _e87) * _e89));
     }
-    let _e90 = local_97;
-    return (_e73 * _e90);
+    let _e93 = local_98;
+    return (_e76 * _e93);
 }
 
 fn interfaceEtaAxis(eta_50: f32) -> f32 {
     var eta_51: f32;
-    var local_98: f32;
+    var local_99: f32;
     var n_49: f32;
 
     eta_51 = eta_50;
-    let _e38 = eta_51;
-    if (_e38 < 1f) {
-        let _e42 = eta_51;
-        local_98 = (1f / max(_e42, 0.01f));
+    let _e41 = eta_51;
+    if (_e41 < 1f) {
+        let _e45 = eta_51;
+        local_99 = (1f / max(_e45, 0.01f));
     } else {
-        let _e46 = eta_51;
-        local_98 = _e46;
+        let _e49 = eta_51;
+        local_99 = _e49;
     }
-    let _e48 = local_98;
-    n_49 = clamp(_e48, 1f, INTERFACE_GREATEST_ETA);
-    let _e52 = n_49;
+    let _e51 = local_99;
+    n_49 = clamp(_e51, 1f, INTERFACE_GREATEST_ETA);
     let _e55 = n_49;
-    return (((_e52 - 1f) / (_e55 + 1f)) * 1.6666666f);
+    let _e58 = n_49;
+    return (((_e55 - 1f) / (_e58 + 1f)) * 1.6666666f);
 }
 
 fn interfaceEnergyCoordinate(cosTheta_41: f32, alpha_94: f32, eta_52: f32) -> vec3<f32> {
     var cosTheta_42: f32;
     var alpha_95: f32;
     var eta_53: f32;
-    var local_99: i32;
+    var local_100: i32;
 
     cosTheta_42 = cosTheta_41;
     alpha_95 = alpha_94;
     eta_53 = eta_52;
-    let _e42 = cosTheta_42;
-    let _e43 = eta_53;
-    let _e44 = interfaceCosineAxis(_e42, _e43);
-    let _e47 = blockCoordinate(_e44, INTERFACE_ENERGY_COSINES, 0i, 1i);
-    let _e48 = alpha_95;
-    let _e54 = blockCoordinate(sqrt(max(_e48, 0f)), INTERFACE_ENERGY_ALPHAS, 0i, 1i);
-    let _e55 = eta_53;
-    let _e56 = interfaceEtaAxis(_e55);
-    let _e57 = eta_53;
-    if (_e57 < 1f) {
-        local_99 = 1i;
+    let _e45 = cosTheta_42;
+    let _e46 = eta_53;
+    let _e47 = interfaceCosineAxis(_e45, _e46);
+    let _e50 = blockCoordinate(_e47, INTERFACE_ENERGY_COSINES, 0i, 1i);
+    let _e51 = alpha_95;
+    let _e57 = blockCoordinate(sqrt(max(_e51, 0f)), INTERFACE_ENERGY_ALPHAS, 0i, 1i);
+    let _e58 = eta_53;
+    let _e59 = interfaceEtaAxis(_e58);
+    let _e60 = eta_53;
+    if (_e60 < 1f) {
+        local_100 = 1i;
     } else {
-        local_99 = 0i;
+        local_100 = 0i;
     }
-    let _e63 = local_99;
-    let _e65 = blockCoordinate(_e56, INTERFACE_SLICES, _e63, 2i);
-    return vec3<f32>(_e47, _e54, _e65);
+    let _e66 = local_100;
+    let _e68 = blockCoordinate(_e59, INTERFACE_SLICES, _e66, 2i);
+    return vec3<f32>(_e50, _e57, _e68);
 }
 
 fn interfaceLobeCoordinate(lobe_5: i32, lobes_6: i32, cosTheta_43: f32, alpha_96: f32, eta_54: f32) -> vec3<f32> {
@@ -7985,32 +8021,32 @@ fn interfaceLobeCoordinate(lobe_5: i32, lobes_6: i32, cosTheta_43: f32, alpha_96
     var cosTheta_44: f32;
     var alpha_97: f32;
     var eta_55: f32;
-    var local_100: i32;
+    var local_101: i32;
 
     lobe_6 = lobe_5;
     lobes_7 = lobes_6;
     cosTheta_44 = cosTheta_43;
     alpha_97 = alpha_96;
     eta_55 = eta_54;
-    let _e46 = cosTheta_44;
-    let _e47 = eta_55;
-    let _e48 = interfaceCosineAxis(_e46, _e47);
-    let _e51 = blockCoordinate(_e48, INTERFACE_LOBE_COSINES, 0i, 1i);
-    let _e52 = alpha_97;
-    let _e56 = lobe_6;
-    let _e57 = lobes_7;
-    let _e58 = blockCoordinate(sqrt(max(_e52, 0f)), INTERFACE_LOBE_ALPHAS, _e56, _e57);
-    let _e59 = eta_55;
-    let _e60 = interfaceEtaAxis(_e59);
-    let _e61 = eta_55;
-    if (_e61 < 1f) {
-        local_100 = 1i;
+    let _e49 = cosTheta_44;
+    let _e50 = eta_55;
+    let _e51 = interfaceCosineAxis(_e49, _e50);
+    let _e54 = blockCoordinate(_e51, INTERFACE_LOBE_COSINES, 0i, 1i);
+    let _e55 = alpha_97;
+    let _e59 = lobe_6;
+    let _e60 = lobes_7;
+    let _e61 = blockCoordinate(sqrt(max(_e55, 0f)), INTERFACE_LOBE_ALPHAS, _e59, _e60);
+    let _e62 = eta_55;
+    let _e63 = interfaceEtaAxis(_e62);
+    let _e64 = eta_55;
+    if (_e64 < 1f) {
+        local_101 = 1i;
     } else {
-        local_100 = 0i;
+        local_101 = 0i;
     }
-    let _e67 = local_100;
-    let _e69 = blockCoordinate(_e60, INTERFACE_SLICES, _e67, 2i);
-    return vec3<f32>(_e51, _e58, _e69);
+    let _e70 = local_101;
+    let _e72 = blockCoordinate(_e63, INTERFACE_SLICES, _e70, 2i);
+    return vec3<f32>(_e54, _e61, _e72);
 }
 
 fn interfaceSnell(cosTheta_45: f32, eta_56: f32) -> f32 {
@@ -8020,14 +8056,14 @@ fn interfaceSnell(cosTheta_45: f32, eta_56: f32) -> f32 {
 
     cosTheta_46 = cosTheta_45;
     eta_57 = eta_56;
-    let _e40 = cosTheta_46;
-    c_32 = clamp(_e40, 0f, 1f);
-    let _e46 = c_32;
+    let _e43 = cosTheta_46;
+    c_32 = clamp(_e43, 0f, 1f);
     let _e49 = c_32;
-    let _e53 = c_32;
-    let _e54 = eta_57;
-    let _e55 = fresnelG(_e53, _e54);
-    return atan2(sqrt(((1f - _e46) * (1f + _e49))), _e55);
+    let _e52 = c_32;
+    let _e56 = c_32;
+    let _e57 = eta_57;
+    let _e58 = fresnelG(_e56, _e57);
+    return atan2(sqrt(((1f - _e49) * (1f + _e52))), _e58);
 }
 
 fn interfaceWidth(cosTheta_47: f32, alpha_98: f32, eta_58: f32) -> f32 {
@@ -8044,36 +8080,36 @@ fn interfaceWidth(cosTheta_47: f32, alpha_98: f32, eta_58: f32) -> f32 {
     cosTheta_48 = cosTheta_47;
     alpha_99 = alpha_98;
     eta_59 = eta_58;
-    let _e42 = cosTheta_48;
-    let _e46 = eta_59;
-    let _e47 = fresnelG(clamp(_e42, 0f, 1f), _e46);
-    g_9 = _e47;
-    let _e50 = eta_59;
+    let _e45 = cosTheta_48;
+    let _e49 = eta_59;
+    let _e50 = fresnelG(clamp(_e45, 0f, 1f), _e49);
+    g_9 = _e50;
     let _e53 = eta_59;
-    critical_2 = sqrt(max(((1f - _e50) * (1f + _e53)), 0f));
-    let _e60 = eta_59;
+    let _e56 = eta_59;
+    critical_2 = sqrt(max(((1f - _e53) * (1f + _e56)), 0f));
     let _e63 = eta_59;
-    let _e68 = eta_59;
-    let _e69 = g_9;
-    let _e70 = cosTheta_48;
-    let _e71 = critical_2;
-    across_13 = (abs(((_e60 - 1f) * (_e63 + 1f))) / max((_e68 * (_e69 + max(_e70, _e71))), 0.000000000000000000000000000001f));
-    let _e79 = g_9;
-    let _e80 = eta_59;
-    cosT = (_e79 / _e80);
-    let _e83 = alpha_99;
-    let _e84 = critical_2;
-    let _e85 = cosTheta_48;
-    lean_3 = (_e83 + max((_e84 - _e85), 0f));
-    let _e91 = lean_3;
-    let _e92 = across_13;
-    let _e94 = cosT;
-    let _e95 = cosT;
-    let _e97 = lean_3;
-    width_5 = ((_e91 * _e92) * inverseSqrt(sqrt(((_e94 * _e95) + max(_e97, 0.000000000001f)))));
-    let _e105 = width_5;
+    let _e66 = eta_59;
+    let _e71 = eta_59;
+    let _e72 = g_9;
+    let _e73 = cosTheta_48;
+    let _e74 = critical_2;
+    across_13 = (abs(((_e63 - 1f) * (_e66 + 1f))) / max((_e71 * (_e72 + max(_e73, _e74))), 0.000000000000000000000000000001f));
+    let _e82 = g_9;
+    let _e83 = eta_59;
+    cosT = (_e82 / _e83);
+    let _e86 = alpha_99;
+    let _e87 = critical_2;
+    let _e88 = cosTheta_48;
+    lean_3 = (_e86 + max((_e87 - _e88), 0f));
+    let _e94 = lean_3;
+    let _e95 = across_13;
+    let _e97 = cosT;
+    let _e98 = cosT;
+    let _e100 = lean_3;
+    width_5 = ((_e94 * _e95) * inverseSqrt(sqrt(((_e97 * _e98) + max(_e100, 0.000000000001f)))));
     let _e108 = width_5;
-    return (_e105 / (1f + (2f * _e108)));
+    let _e111 = width_5;
+    return (_e108 / (1f + (2f * _e111)));
 }
 
 fn interfaceEnergy(texel_5: vec4<f32>) -> InterfaceEnergy {
@@ -8081,12 +8117,12 @@ fn interfaceEnergy(texel_5: vec4<f32>) -> InterfaceEnergy {
     var e_7: InterfaceEnergy;
 
     texel_6 = texel_5;
-    let _e40 = texel_6;
-    e_7.transmitted = _e40.x;
     let _e43 = texel_6;
-    e_7.reflected = _e43.y;
-    let _e45 = e_7;
-    return _e45;
+    e_7.transmitted = _e43.x;
+    let _e46 = texel_6;
+    e_7.reflected = _e46.y;
+    let _e48 = e_7;
+    return _e48;
 }
 
 fn interfaceLobe(texel_7: vec4<f32>, cosTheta_49: f32, alpha_100: f32, eta_60: f32) -> InterfaceLobe {
@@ -8101,24 +8137,24 @@ fn interfaceLobe(texel_7: vec4<f32>, cosTheta_49: f32, alpha_100: f32, eta_60: f
     cosTheta_50 = cosTheta_49;
     alpha_101 = alpha_100;
     eta_61 = eta_60;
-    let _e44 = cosTheta_50;
-    let _e45 = alpha_101;
-    let _e49 = eta_61;
-    let _e50 = interfaceWidth(_e44, clamp(_e45, 0f, 1f), _e49);
-    width_6 = _e50;
-    let _e54 = cosTheta_50;
-    let _e55 = eta_61;
-    let _e56 = interfaceSnell(_e54, _e55);
-    let _e57 = texel_8;
-    let _e59 = width_6;
-    lobe_7.angle = (_e56 + (_e57.x * _e59));
-    let _e63 = texel_8;
-    let _e65 = width_6;
-    lobe_7.sigma = (_e63.y * _e65);
-    let _e68 = texel_8;
-    lobe_7.weight = _e68.z;
-    let _e70 = lobe_7;
-    return _e70;
+    let _e47 = cosTheta_50;
+    let _e48 = alpha_101;
+    let _e52 = eta_61;
+    let _e53 = interfaceWidth(_e47, clamp(_e48, 0f, 1f), _e52);
+    width_6 = _e53;
+    let _e57 = cosTheta_50;
+    let _e58 = eta_61;
+    let _e59 = interfaceSnell(_e57, _e58);
+    let _e60 = texel_8;
+    let _e62 = width_6;
+    lobe_7.angle = (_e59 + (_e60.x * _e62));
+    let _e66 = texel_8;
+    let _e68 = width_6;
+    lobe_7.sigma = (_e66.y * _e68);
+    let _e71 = texel_8;
+    lobe_7.weight = _e71.z;
+    let _e73 = lobe_7;
+    return _e73;
 }
 
 fn interfaceLobeDirection(wo_56: vec3<f32>, n_50: vec3<f32>, angle_2: f32) -> vec3<f32> {
@@ -8126,34 +8162,34 @@ fn interfaceLobeDirection(wo_56: vec3<f32>, n_50: vec3<f32>, angle_2: f32) -> ve
     var n_51: vec3<f32>;
     var angle_3: f32;
     var across_14: vec3<f32>;
-    var local_101: vec3<f32>;
+    var local_102: vec3<f32>;
 
     wo_57 = wo_56;
     n_51 = n_50;
     angle_3 = angle_2;
-    let _e42 = wo_57;
-    let _e43 = n_51;
-    let _e45 = n_51;
-    let _e47 = wo_57;
-    across_14 = ((dot(_e42, _e43) * _e45) - _e47);
-    let _e50 = across_14;
-    let _e51 = across_14;
-    if !((dot(_e50, _e51) > 0.000000000001f)) {
-        let _e56 = n_51;
-        let _e57 = n_51;
-        if (abs(_e57.x) < 0.7f) {
-            local_101 = vec3<f32>(1f, 0f, 0f);
+    let _e45 = wo_57;
+    let _e46 = n_51;
+    let _e48 = n_51;
+    let _e50 = wo_57;
+    across_14 = ((dot(_e45, _e46) * _e48) - _e50);
+    let _e53 = across_14;
+    let _e54 = across_14;
+    if !((dot(_e53, _e54) > 0.000000000001f)) {
+        let _e59 = n_51;
+        let _e60 = n_51;
+        if (abs(_e60.x) < 0.7f) {
+            local_102 = vec3<f32>(1f, 0f, 0f);
         } else {
-            local_101 = vec3<f32>(0f, 1f, 0f);
+            local_102 = vec3<f32>(0f, 1f, 0f);
         }
-        let _e71 = local_101;
-        across_14 = cross(_e56, _e71);
+        let _e74 = local_102;
+        across_14 = cross(_e59, _e74);
     }
-    let _e73 = angle_3;
-    let _e75 = across_14;
-    let _e78 = angle_3;
-    let _e80 = n_51;
-    return ((sin(_e73) * normalize(_e75)) - (cos(_e78) * _e80));
+    let _e76 = angle_3;
+    let _e78 = across_14;
+    let _e81 = angle_3;
+    let _e83 = n_51;
+    return ((sin(_e76) * normalize(_e78)) - (cos(_e81) * _e83));
 }
 
 fn pyramidVariance(level_1: f32) -> f32 {
@@ -8161,11 +8197,11 @@ fn pyramidVariance(level_1: f32) -> f32 {
     var scale_5: f32;
 
     level_2 = level_1;
-    let _e39 = level_2;
-    scale_5 = exp2((2f * _e39));
-    let _e44 = scale_5;
-    let _e48 = scale_5;
-    return ((0.25f * (_e44 - 1f)) + (_e48 / 6f));
+    let _e42 = level_2;
+    scale_5 = exp2((2f * _e42));
+    let _e47 = scale_5;
+    let _e51 = scale_5;
+    return ((0.25f * (_e47 - 1f)) + (_e51 / 6f));
 }
 
 fn pyramidLevel(variance_3: f32, lastLevel: f32) -> f32 {
@@ -8179,34 +8215,34 @@ fn pyramidLevel(variance_3: f32, lastLevel: f32) -> f32 {
 
     variance_4 = variance_3;
     lastLevel_1 = lastLevel;
-    let _e40 = variance_4;
-    scale_6 = ((_e40 + 0.25f) / 0.4166667f);
-    let _e51 = scale_6;
-    exact = (0.5f * log2(max(_e51, 1f)));
-    let _e57 = exact;
-    let _e59 = lastLevel_1;
-    below_7 = min(floor(_e57), _e59);
-    let _e62 = below_7;
-    let _e63 = pyramidVariance(_e62);
-    low_8 = _e63;
+    let _e43 = variance_4;
+    scale_6 = ((_e43 + 0.25f) / 0.4166667f);
+    let _e54 = scale_6;
+    exact = (0.5f * log2(max(_e54, 1f)));
+    let _e60 = exact;
+    let _e62 = lastLevel_1;
+    below_7 = min(floor(_e60), _e62);
     let _e65 = below_7;
-    let _e68 = pyramidVariance((_e65 + 1f));
-    high_3 = _e68;
-    let _e70 = below_7;
-    let _e71 = variance_4;
-    let _e72 = low_8;
-    let _e74 = high_3;
+    let _e66 = pyramidVariance(_e65);
+    low_8 = _e66;
+    let _e68 = below_7;
+    let _e71 = pyramidVariance((_e68 + 1f));
+    high_3 = _e71;
+    let _e73 = below_7;
+    let _e74 = variance_4;
     let _e75 = low_8;
-    let _e82 = lastLevel_1;
-    return min((_e70 + clamp(((_e71 - _e72) / (_e74 - _e75)), 0f, 1f)), _e82);
+    let _e77 = high_3;
+    let _e78 = low_8;
+    let _e85 = lastLevel_1;
+    return min((_e73 + clamp(((_e74 - _e75) / (_e77 - _e78)), 0f, 1f)), _e85);
 }
 
 fn normalIntegral(x_29: f32) -> f32 {
     var x_30: f32;
 
     x_30 = x_29;
-    let _e42 = x_30;
-    return (1f / (1f + exp((-1.702f * _e42))));
+    let _e45 = x_30;
+    return (1f / (1f + exp((-1.702f * _e45))));
 }
 
 fn pyramidCoverage(at_25: vec2<f32>, size_23: vec2<f32>, sigma_10: f32) -> f32 {
@@ -8220,27 +8256,27 @@ fn pyramidCoverage(at_25: vec2<f32>, size_23: vec2<f32>, sigma_10: f32) -> f32 {
     at_26 = at_25;
     size_24 = size_23;
     sigma_11 = sigma_10;
-    let _e43 = sigma_11;
-    inverse = (1f / max(_e43, 0.25f));
-    let _e48 = size_24;
-    let _e50 = at_26;
-    let _e53 = inverse;
-    let _e55 = normalIntegral(((_e48.x - _e50.x) * _e53));
-    let _e56 = at_26;
-    let _e59 = inverse;
-    let _e61 = normalIntegral((-(_e56.x) * _e59));
-    x_31 = (_e55 - _e61);
-    let _e64 = size_24;
-    let _e66 = at_26;
-    let _e69 = inverse;
-    let _e71 = normalIntegral(((_e64.y - _e66.y) * _e69));
-    let _e72 = at_26;
-    let _e75 = inverse;
-    let _e77 = normalIntegral((-(_e72.y) * _e75));
-    y_11 = (_e71 - _e77);
-    let _e80 = x_31;
-    let _e81 = y_11;
-    return clamp((_e80 * _e81), 0f, 1f);
+    let _e46 = sigma_11;
+    inverse = (1f / max(_e46, 0.25f));
+    let _e51 = size_24;
+    let _e53 = at_26;
+    let _e56 = inverse;
+    let _e58 = normalIntegral(((_e51.x - _e53.x) * _e56));
+    let _e59 = at_26;
+    let _e62 = inverse;
+    let _e64 = normalIntegral((-(_e59.x) * _e62));
+    x_31 = (_e58 - _e64);
+    let _e67 = size_24;
+    let _e69 = at_26;
+    let _e72 = inverse;
+    let _e74 = normalIntegral(((_e67.y - _e69.y) * _e72));
+    let _e75 = at_26;
+    let _e78 = inverse;
+    let _e80 = normalIntegral((-(_e75.y) * _e78));
+    y_11 = (_e74 - _e80);
+    let _e83 = x_31;
+    let _e84 = y_11;
+    return clamp((_e83 * _e84), 0f, 1f);
 }
 
 fn lobeVariance(sigma_12: f32, carried: f32, inner_4: f32, inside_3: f32, outside: f32) -> f32 {
@@ -8257,21 +8293,21 @@ fn lobeVariance(sigma_12: f32, carried: f32, inner_4: f32, inside_3: f32, outsid
     inner_5 = inner_4;
     inside_4 = inside_3;
     outside_1 = outside;
-    let _e46 = inside_4;
-    let _e47 = inner_5;
-    offset = (_e46 * _e47);
-    let _e50 = outside_1;
-    let _e51 = sigma_13;
-    angle_4 = (_e50 * _e51);
-    let _e54 = angle_4;
-    let _e55 = angle_4;
-    let _e58 = offset;
-    let _e60 = outside_1;
-    let _e62 = carried_1;
-    let _e63 = sigma_13;
-    let _e67 = offset;
-    let _e68 = offset;
-    return (((_e54 * _e55) + (((2f * _e58) * _e60) * min(_e62, _e63))) + (_e67 * _e68));
+    let _e49 = inside_4;
+    let _e50 = inner_5;
+    offset = (_e49 * _e50);
+    let _e53 = outside_1;
+    let _e54 = sigma_13;
+    angle_4 = (_e53 * _e54);
+    let _e57 = angle_4;
+    let _e58 = angle_4;
+    let _e61 = offset;
+    let _e63 = outside_1;
+    let _e65 = carried_1;
+    let _e66 = sigma_13;
+    let _e70 = offset;
+    let _e71 = offset;
+    return (((_e57 * _e58) + (((2f * _e61) * _e63) * min(_e65, _e66))) + (_e70 * _e71));
 }
 
 fn pixelsPerRadian(focal: f32, cosine: f32) -> f32 {
@@ -8280,10 +8316,10 @@ fn pixelsPerRadian(focal: f32, cosine: f32) -> f32 {
 
     focal_1 = focal;
     cosine_1 = cosine;
-    let _e40 = focal_1;
-    let _e41 = cosine_1;
-    let _e42 = cosine_1;
-    return (_e40 / (_e41 * sqrt(_e42)));
+    let _e43 = focal_1;
+    let _e44 = cosine_1;
+    let _e45 = cosine_1;
+    return (_e43 / (_e44 * sqrt(_e45)));
 }
 
 fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5: SceneIntersection, view_31: SceneView) -> vec3<f32> {
@@ -8293,162 +8329,162 @@ fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5
     var met_6: SceneIntersection;
     var view_32: SceneView;
     var ends: bool;
-    var local_102: vec3<f32>;
+    var local_103: vec3<f32>;
     var place: vec3<f32>;
-    var local_103: f32;
+    var local_104: f32;
     var clip_4: vec4<f32>;
     var share_5: f32 = 0f;
     var near_1: vec3<f32> = vec3(0f);
-    var local_104: vec3<f32>;
+    var local_105: vec3<f32>;
     var fromEye: vec3<f32>;
     var range_2: f32;
     var metres: f32;
-    var local_105: f32;
+    var local_106: f32;
     var pixels: f32;
     var at_27: vec2<f32>;
     var outside_2: vec2<f32>;
     var far_1: f32;
-    var local_106: f32;
+    var local_107: f32;
     var shown: vec4<f32>;
-    var local_107: vec3<f32>;
     var local_108: vec3<f32>;
+    var local_109: vec3<f32>;
 
     lobe_9 = lobe_8;
     origin_17 = origin_16;
     inside_6 = inside_5;
     met_6 = met_5;
     view_32 = view_31;
-    let _e46 = met_6;
-    ends = (_e46.metres >= 0f);
-    let _e51 = ends;
-    if _e51 {
-        let _e52 = origin_17;
-        let _e53 = met_6;
-        let _e55 = lobe_9;
-        local_102 = (_e52 + (_e53.metres * _e55.direction));
+    let _e49 = met_6;
+    ends = (_e49.metres >= 0f);
+    let _e54 = ends;
+    if _e54 {
+        let _e55 = origin_17;
+        let _e56 = met_6;
+        let _e58 = lobe_9;
+        local_103 = (_e55 + (_e56.metres * _e58.direction));
     } else {
-        let _e59 = lobe_9;
-        local_102 = _e59.direction;
+        let _e62 = lobe_9;
+        local_103 = _e62.direction;
     }
-    let _e62 = local_102;
-    place = _e62;
-    let _e64 = view_32;
-    let _e66 = place;
-    let _e67 = ends;
-    if _e67 {
-        local_103 = 1f;
+    let _e65 = local_103;
+    place = _e65;
+    let _e67 = view_32;
+    let _e69 = place;
+    let _e70 = ends;
+    if _e70 {
+        local_104 = 1f;
     } else {
-        local_103 = 0f;
+        local_104 = 0f;
     }
-    let _e71 = local_103;
-    clip_4 = (_e64.clipFromWorld * vec4<f32>(_e66.x, _e66.y, _e66.z, _e71));
-    let _e83 = met_6;
-    let _e85 = clip_4;
-    if (_e83.seen && (_e85.w > 0f)) {
+    let _e74 = local_104;
+    clip_4 = (_e67.clipFromWorld * vec4<f32>(_e69.x, _e69.y, _e69.z, _e74));
+    let _e86 = met_6;
+    let _e88 = clip_4;
+    if (_e86.seen && (_e88.w > 0f)) {
         {
-            let _e90 = ends;
-            if _e90 {
-                let _e91 = place;
-                let _e92 = view_32;
-                local_104 = (_e91 - _e92.eye);
+            let _e93 = ends;
+            if _e93 {
+                let _e94 = place;
+                let _e95 = view_32;
+                local_105 = (_e94 - _e95.eye);
             } else {
-                let _e95 = lobe_9;
-                local_104 = _e95.direction;
+                let _e98 = lobe_9;
+                local_105 = _e98.direction;
             }
-            let _e98 = local_104;
-            fromEye = _e98;
-            let _e100 = fromEye;
-            range_2 = length(_e100);
-            let _e103 = lobe_9;
-            let _e105 = lobe_9;
-            let _e107 = lobe_9;
-            let _e109 = inside_6;
-            let _e110 = met_6;
-            let _e112 = lobeVariance(_e103.sigma, _e105.carried, _e107.inner, _e109, _e110.metres);
-            metres = sqrt(_e112);
-            let _e115 = ends;
-            if _e115 {
-                let _e116 = metres;
-                let _e117 = range_2;
-                local_105 = (_e116 / _e117);
+            let _e101 = local_105;
+            fromEye = _e101;
+            let _e103 = fromEye;
+            range_2 = length(_e103);
+            let _e106 = lobe_9;
+            let _e108 = lobe_9;
+            let _e110 = lobe_9;
+            let _e112 = inside_6;
+            let _e113 = met_6;
+            let _e115 = lobeVariance(_e106.sigma, _e108.carried, _e110.inner, _e112, _e113.metres);
+            metres = sqrt(_e115);
+            let _e118 = ends;
+            if _e118 {
+                let _e119 = metres;
+                let _e120 = range_2;
+                local_106 = (_e119 / _e120);
             } else {
-                let _e119 = lobe_9;
-                local_105 = _e119.sigma;
+                let _e122 = lobe_9;
+                local_106 = _e122.sigma;
             }
-            let _e122 = local_105;
-            let _e123 = view_32;
-            let _e125 = clip_4;
-            let _e127 = range_2;
-            let _e131 = pixelsPerRadian(_e123.focal, min((_e125.w / _e127), 1f));
-            pixels = (_e122 * _e131);
-            let _e134 = clip_4;
-            let _e135 = view_32;
-            let _e137 = scenePixel(_e134, _e135.size);
-            at_27 = _e137;
-            let _e139 = at_27;
-            let _e141 = at_27;
-            let _e142 = view_32;
-            outside_2 = max(max(-(_e139), (_e141 - _e142.size)), vec2(0f));
-            let _e150 = outside_2;
-            let _e151 = outside_2;
-            far_1 = dot(_e150, _e151);
-            let _e154 = ends;
-            if _e154 {
-                let _e157 = far_1;
-                let _e159 = view_32;
+            let _e125 = local_106;
+            let _e126 = view_32;
+            let _e128 = clip_4;
+            let _e130 = range_2;
+            let _e134 = pixelsPerRadian(_e126.focal, min((_e128.w / _e130), 1f));
+            pixels = (_e125 * _e134);
+            let _e137 = clip_4;
+            let _e138 = view_32;
+            let _e140 = scenePixel(_e137, _e138.size);
+            at_27 = _e140;
+            let _e142 = at_27;
+            let _e144 = at_27;
+            let _e145 = view_32;
+            outside_2 = max(max(-(_e142), (_e144 - _e145.size)), vec2(0f));
+            let _e153 = outside_2;
+            let _e154 = outside_2;
+            far_1 = dot(_e153, _e154);
+            let _e157 = ends;
+            if _e157 {
+                let _e160 = far_1;
                 let _e162 = view_32;
-                local_106 = exp(((-0.5f * _e157) / (_e159.size.y * _e162.size.y)));
+                let _e165 = view_32;
+                local_107 = exp(((-0.5f * _e160) / (_e162.size.y * _e165.size.y)));
             } else {
-                let _e168 = at_27;
-                let _e169 = view_32;
-                let _e171 = pixels;
-                let _e172 = pyramidCoverage(_e168, _e169.size, _e171);
-                local_106 = _e172;
+                let _e171 = at_27;
+                let _e172 = view_32;
+                let _e174 = pixels;
+                let _e175 = pyramidCoverage(_e171, _e172.size, _e174);
+                local_107 = _e175;
             }
-            let _e174 = local_106;
-            share_5 = _e174;
-            let _e175 = share_5;
-            if (_e175 > 0f) {
+            let _e177 = local_107;
+            share_5 = _e177;
+            let _e178 = share_5;
+            if (_e178 > 0f) {
                 {
-                    let _e178 = at_27;
-                    let _e179 = pixels;
-                    let _e180 = pixels;
-                    let _e182 = far_1;
-                    let _e184 = engineSceneColor(_e178, ((_e179 * _e180) + _e182));
-                    shown = _e184;
-                    let _e186 = share_5;
-                    let _e188 = shown;
-                    share_5 = (_e186 * min((2f * _e188.w), 1f));
-                    let _e194 = shown;
-                    if (_e194.w > 0f) {
-                        let _e198 = shown;
-                        let _e200 = shown;
-                        let _e202 = shown;
+                    let _e181 = at_27;
+                    let _e182 = pixels;
+                    let _e183 = pixels;
+                    let _e185 = far_1;
+                    let _e187 = engineSceneColor(_e181, ((_e182 * _e183) + _e185));
+                    shown = _e187;
+                    let _e189 = share_5;
+                    let _e191 = shown;
+                    share_5 = (_e189 * min((2f * _e191.w), 1f));
+                    let _e197 = shown;
+                    if (_e197.w > 0f) {
+                        let _e201 = shown;
+                        let _e203 = shown;
                         let _e205 = shown;
-                        local_107 = (vec3<f32>(_e198.x, _e200.y, _e202.z) / vec3(_e205.w));
+                        let _e208 = shown;
+                        local_108 = (vec3<f32>(_e201.x, _e203.y, _e205.z) / vec3(_e208.w));
                     } else {
-                        local_107 = vec3(0f);
+                        local_108 = vec3(0f);
                     }
-                    let _e212 = local_107;
-                    near_1 = _e212;
+                    let _e215 = local_108;
+                    near_1 = _e215;
                 }
             }
         }
     }
-    let _e213 = share_5;
-    if (_e213 >= 0.999f) {
-        let _e216 = near_1;
-        local_108 = _e216;
+    let _e216 = share_5;
+    if (_e216 >= 0.999f) {
+        let _e219 = near_1;
+        local_109 = _e219;
     } else {
-        let _e217 = lobe_9;
-        let _e219 = lobe_9;
-        let _e221 = engineEnvironment(_e217.direction, _e219.sigma);
-        let _e222 = near_1;
-        let _e223 = share_5;
-        local_108 = mix(_e221, _e222, vec3(_e223));
+        let _e220 = lobe_9;
+        let _e222 = lobe_9;
+        let _e224 = engineEnvironment(_e220.direction, _e222.sigma);
+        let _e225 = near_1;
+        let _e226 = share_5;
+        local_109 = mix(_e224, _e225, vec3(_e226));
     }
-    let _e227 = local_108;
-    return _e227;
+    let _e230 = local_109;
+    return _e230;
 }
 
 fn engineFaceEnergy(cosTheta_51: f32, alpha_102: f32, eta_62: f32) -> InterfaceEnergy {
@@ -8459,13 +8495,13 @@ fn engineFaceEnergy(cosTheta_51: f32, alpha_102: f32, eta_62: f32) -> InterfaceE
     cosTheta_52 = cosTheta_51;
     alpha_103 = alpha_102;
     eta_63 = eta_62;
-    let _e42 = cosTheta_52;
-    let _e43 = alpha_103;
-    let _e44 = eta_63;
-    let _e45 = interfaceEnergyCoordinate(_e42, _e43, _e44);
-    let _e46 = engineInterfaceEnergy(_e45);
-    let _e47 = interfaceEnergy(_e46);
-    return _e47;
+    let _e45 = cosTheta_52;
+    let _e46 = alpha_103;
+    let _e47 = eta_63;
+    let _e48 = interfaceEnergyCoordinate(_e45, _e46, _e47);
+    let _e49 = engineInterfaceEnergy(_e48);
+    let _e50 = interfaceEnergy(_e49);
+    return _e50;
 }
 
 fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
@@ -8481,52 +8517,52 @@ fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
     face_11 = face_10;
     ior_1 = ior;
     view_34 = view_33;
-    let _e42 = face_11;
-    let _e44 = face_11;
-    cosTheta_53 = dot(_e42.wo, _e44.n);
-    let _e48 = cosTheta_53;
-    let _e49 = face_11;
-    let _e51 = ior_1;
-    let _e52 = engineFaceEnergy(_e48, _e49.alpha, _e51);
-    energy_3 = _e52.reflected;
-    let _e55 = cosTheta_53;
-    let _e56 = face_11;
-    let _e58 = ior_1;
-    let _e59 = fresnelNormalIncidence(_e58);
-    let _e60 = energy_3;
-    let _e61 = edgeShare(_e59, _e60);
-    let _e62 = lobeCoordinate(_e55, _e56.alpha, _e61);
-    let _e63 = engineReflectionLobe(_e62);
-    texel_9 = _e63;
-    let _e68 = cosTheta_53;
-    let _e70 = face_11;
+    let _e45 = face_11;
+    let _e47 = face_11;
+    cosTheta_53 = dot(_e45.wo, _e47.n);
+    let _e51 = cosTheta_53;
+    let _e52 = face_11;
+    let _e54 = ior_1;
+    let _e55 = engineFaceEnergy(_e51, _e52.alpha, _e54);
+    energy_3 = _e55.reflected;
+    let _e58 = cosTheta_53;
+    let _e59 = face_11;
+    let _e61 = ior_1;
+    let _e62 = fresnelNormalIncidence(_e61);
+    let _e63 = energy_3;
+    let _e64 = edgeShare(_e62, _e63);
+    let _e65 = lobeCoordinate(_e58, _e59.alpha, _e64);
+    let _e66 = engineReflectionLobe(_e65);
+    texel_9 = _e66;
+    let _e71 = cosTheta_53;
     let _e73 = face_11;
     let _e76 = face_11;
-    let _e78 = texel_9;
-    let _e80 = lobeDirection((((2f * _e68) * _e70.n) - _e73.wo), _e76.n, _e78.x);
-    lobe_10.direction = _e80;
-    let _e82 = texel_9;
-    let _e84 = texel_9;
-    let _e87 = face_11;
+    let _e79 = face_11;
+    let _e81 = texel_9;
+    let _e83 = lobeDirection((((2f * _e71) * _e73.n) - _e76.wo), _e79.n, _e81.x);
+    lobe_10.direction = _e83;
+    let _e85 = texel_9;
+    let _e87 = texel_9;
     let _e90 = face_11;
-    let _e94 = face_11;
-    lobe_10.sigma = sqrt(((((_e82.y * _e84.y) * _e87.alpha) * _e90.alpha) + (4f * _e94.turn)));
-    let _e100 = energy_3;
-    lobe_10.weight = _e100;
+    let _e93 = face_11;
+    let _e97 = face_11;
+    lobe_10.sigma = sqrt(((((_e85.y * _e87.y) * _e90.alpha) * _e93.alpha) + (4f * _e97.turn)));
+    let _e103 = energy_3;
+    lobe_10.weight = _e103;
     lobe_10.inner = 0f;
     lobe_10.carried = 0f;
-    let _e105 = face_11;
-    let _e107 = lobe_10;
-    let _e109 = view_34;
-    let _e110 = sceneIntersection(_e105.position, _e107.direction, _e109);
-    met_7 = _e110;
-    let _e112 = energy_3;
-    let _e113 = lobe_10;
-    let _e114 = face_11;
-    let _e117 = met_7;
-    let _e118 = view_34;
-    let _e119 = lobeRadiance(_e113, _e114.position, 0f, _e117, _e118);
-    return (_e112 * _e119);
+    let _e108 = face_11;
+    let _e110 = lobe_10;
+    let _e112 = view_34;
+    let _e113 = sceneIntersection(_e108.position, _e110.direction, _e112);
+    met_7 = _e113;
+    let _e115 = energy_3;
+    let _e116 = lobe_10;
+    let _e117 = face_11;
+    let _e120 = met_7;
+    let _e121 = view_34;
+    let _e122 = lobeRadiance(_e116, _e117.position, 0f, _e120, _e121);
+    return (_e115 * _e122);
 }
 
 fn internalScatteringLossGgx() -> InternalScatteringLoss {
@@ -8536,8 +8572,8 @@ fn internalScatteringLossGgx() -> InternalScatteringLoss {
     k_26.constant = 0.254f;
     k_26.thin = 1.078f;
     k_26.passes = 0.3f;
-    let _e45 = k_26;
-    return _e45;
+    let _e48 = k_26;
+    return _e48;
 }
 
 fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
@@ -8547,37 +8583,37 @@ fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
     k_27.constant = 1.555f;
     k_27.thin = 0.565f;
     k_27.passes = 0f;
-    let _e45 = k_27;
-    return _e45;
+    let _e48 = k_27;
+    return _e48;
 }
 
 fn internalScatteringPasses(ior_2: f32) -> f32 {
     var ior_3: f32;
     var eta_64: f32;
     var passes: f32;
-    var local_109: f32;
+    var local_110: f32;
 
     ior_3 = ior_2;
-    let _e38 = ior_3;
-    let _e40 = ior_3;
-    eta_64 = max(_e38, (1f / _e40));
-    let _e46 = eta_64;
-    let _e47 = fresnelTransmittedAt(0.355051f, _e46);
-    let _e51 = eta_64;
-    let _e52 = fresnelTransmittedAt(0.844949f, _e51);
-    passes = ((0.363917f * _e47) + (0.636083f * _e52));
-    let _e56 = ior_3;
-    if (_e56 > 1f) {
-        let _e59 = passes;
-        let _e60 = ior_3;
-        let _e61 = ior_3;
-        local_109 = (_e59 / (_e60 * _e61));
+    let _e41 = ior_3;
+    let _e43 = ior_3;
+    eta_64 = max(_e41, (1f / _e43));
+    let _e49 = eta_64;
+    let _e50 = fresnelTransmittedAt(0.355051f, _e49);
+    let _e54 = eta_64;
+    let _e55 = fresnelTransmittedAt(0.844949f, _e54);
+    passes = ((0.363917f * _e50) + (0.636083f * _e55));
+    let _e59 = ior_3;
+    if (_e59 > 1f) {
+        let _e62 = passes;
+        let _e63 = ior_3;
+        let _e64 = ior_3;
+        local_110 = (_e62 / (_e63 * _e64));
     } else {
-        let _e64 = passes;
-        local_109 = _e64;
+        let _e67 = passes;
+        local_110 = _e67;
     }
-    let _e66 = local_109;
-    return _e66;
+    let _e69 = local_110;
+    return _e69;
 }
 
 fn internalScatteringAt(alpha_104: f32, ior_4: f32, k_28: InternalScatteringLoss) -> InternalScattering {
@@ -8592,30 +8628,30 @@ fn internalScatteringAt(alpha_104: f32, ior_4: f32, k_28: InternalScatteringLoss
     alpha_105 = alpha_104;
     ior_5 = ior_4;
     k_29 = k_28;
-    let _e42 = ior_5;
-    let _e43 = internalScatteringPasses(_e42);
-    smoothly = _e43;
-    let _e45 = alpha_105;
-    let _e46 = alpha_105;
-    alpha2_1 = (_e45 * _e46);
-    let _e49 = alpha2_1;
-    let _e50 = alpha2_1;
-    let _e51 = k_29;
-    let _e53 = alpha_105;
-    let _e56 = k_29;
-    let _e61 = k_29;
-    let _e63 = alpha_105;
-    let _e65 = smoothly;
-    lost_2 = ((_e49 / ((_e50 + (_e51.linear * _e53)) + _e56.constant)) * max((1f - ((_e61.thin * _e63) * max((_e65 - 0.4f), 0f))), 0f));
-    let _e78 = smoothly;
-    let _e80 = k_29;
-    let _e82 = alpha2_1;
-    w_33.passes = (_e78 * (1f - (_e80.passes * _e82)));
-    let _e88 = w_33;
-    let _e91 = lost_2;
-    w_33.back = max(((1f - _e88.passes) - _e91), 0f);
-    let _e95 = w_33;
-    return _e95;
+    let _e45 = ior_5;
+    let _e46 = internalScatteringPasses(_e45);
+    smoothly = _e46;
+    let _e48 = alpha_105;
+    let _e49 = alpha_105;
+    alpha2_1 = (_e48 * _e49);
+    let _e52 = alpha2_1;
+    let _e53 = alpha2_1;
+    let _e54 = k_29;
+    let _e56 = alpha_105;
+    let _e59 = k_29;
+    let _e64 = k_29;
+    let _e66 = alpha_105;
+    let _e68 = smoothly;
+    lost_2 = ((_e52 / ((_e53 + (_e54.linear * _e56)) + _e59.constant)) * max((1f - ((_e64.thin * _e66) * max((_e68 - 0.4f), 0f))), 0f));
+    let _e81 = smoothly;
+    let _e83 = k_29;
+    let _e85 = alpha2_1;
+    w_33.passes = (_e81 * (1f - (_e83.passes * _e85)));
+    let _e91 = w_33;
+    let _e94 = lost_2;
+    w_33.back = max(((1f - _e91.passes) - _e94), 0f);
+    let _e98 = w_33;
+    return _e98;
 }
 
 fn internalScatteringConcave(w_34: InternalScattering, again: f32) -> InternalScattering {
@@ -8625,15 +8661,15 @@ fn internalScatteringConcave(w_34: InternalScattering, again: f32) -> InternalSc
 
     w_35 = w_34;
     again_1 = again;
-    let _e43 = again_1;
-    let _e45 = w_35;
-    concave.passes = ((1f - _e43) * _e45.passes);
-    let _e49 = w_35;
-    let _e51 = again_1;
+    let _e46 = again_1;
+    let _e48 = w_35;
+    concave.passes = ((1f - _e46) * _e48.passes);
     let _e52 = w_35;
-    concave.back = (_e49.back + (_e51 * _e52.passes));
-    let _e56 = concave;
-    return _e56;
+    let _e54 = again_1;
+    let _e55 = w_35;
+    concave.back = (_e52.back + (_e54 * _e55.passes));
+    let _e59 = concave;
+    return _e59;
 }
 
 fn internalScatteringEscapes(w_36: InternalScattering, way_7: vec3<f32>) -> vec3<f32> {
@@ -8642,12 +8678,12 @@ fn internalScatteringEscapes(w_36: InternalScattering, way_7: vec3<f32>) -> vec3
 
     w_37 = w_36;
     way_8 = way_7;
-    let _e40 = w_37;
-    let _e42 = way_8;
-    let _e46 = w_37;
-    let _e48 = way_8;
-    let _e51 = w_37;
-    return ((_e40.passes * _e42) / max((vec3(1f) - (_e46.back * _e48)), vec3(_e51.passes)));
+    let _e43 = w_37;
+    let _e45 = way_8;
+    let _e49 = w_37;
+    let _e51 = way_8;
+    let _e54 = w_37;
+    return ((_e43.passes * _e45) / max((vec3(1f) - (_e49.back * _e51)), vec3(_e54.passes)));
 }
 
 fn engineFaceLobe(lobe_11: i32, cosTheta_54: f32, alpha_106: f32, eta_65: f32) -> InterfaceLobe {
@@ -8660,17 +8696,17 @@ fn engineFaceLobe(lobe_11: i32, cosTheta_54: f32, alpha_106: f32, eta_65: f32) -
     cosTheta_55 = cosTheta_54;
     alpha_107 = alpha_106;
     eta_66 = eta_65;
-    let _e44 = lobe_12;
-    let _e46 = cosTheta_55;
-    let _e47 = alpha_107;
-    let _e48 = eta_66;
-    let _e49 = interfaceLobeCoordinate(_e44, 2i, _e46, _e47, _e48);
-    let _e50 = engineInterfaceLobe(_e49);
-    let _e51 = cosTheta_55;
-    let _e52 = alpha_107;
-    let _e53 = eta_66;
-    let _e54 = interfaceLobe(_e50, _e51, _e52, _e53);
-    return _e54;
+    let _e48 = lobe_12;
+    let _e50 = cosTheta_55;
+    let _e51 = alpha_107;
+    let _e52 = eta_66;
+    let _e53 = interfaceLobeCoordinate(_e48, 2i, _e50, _e51, _e52);
+    let _e54 = engineInterfaceLobe(_e53);
+    let _e55 = cosTheta_55;
+    let _e56 = alpha_107;
+    let _e57 = eta_66;
+    let _e58 = interfaceLobe(_e54, _e55, _e56, _e57);
+    return _e58;
 }
 
 fn engineEnteringLobe(lobe_13: i32, face_12: GlassFace, ior_6: f32, energy_4: f32) -> InnerLobe {
@@ -8681,57 +8717,57 @@ fn engineEnteringLobe(lobe_13: i32, face_12: GlassFace, ior_6: f32, energy_4: f3
     var read_: InterfaceLobe;
     var inner_6: InnerLobe;
     var matched: bool;
-    var local_110: vec3<f32>;
-    var local_111: f32;
+    var local_111: vec3<f32>;
     var local_112: f32;
+    var local_113: f32;
 
     lobe_14 = lobe_13;
     face_13 = face_12;
     ior_7 = ior_6;
     energy_5 = energy_4;
-    let _e44 = lobe_14;
-    let _e45 = face_13;
-    let _e47 = face_13;
-    let _e50 = face_13;
-    let _e52 = ior_7;
-    let _e53 = engineFaceLobe(_e44, dot(_e45.wo, _e47.n), _e50.alpha, _e52);
-    read_ = _e53;
+    let _e48 = lobe_14;
+    let _e49 = face_13;
+    let _e51 = face_13;
+    let _e54 = face_13;
     let _e56 = ior_7;
-    matched = (abs((_e56 - 1f)) < INDEX_MATCHED);
-    let _e63 = matched;
-    if _e63 {
-        let _e64 = face_13;
-        local_110 = -(_e64.wo);
+    let _e57 = engineFaceLobe(_e48, dot(_e49.wo, _e51.n), _e54.alpha, _e56);
+    read_ = _e57;
+    let _e60 = ior_7;
+    matched = (abs((_e60 - 1f)) < INDEX_MATCHED);
+    let _e67 = matched;
+    if _e67 {
+        let _e68 = face_13;
+        local_111 = -(_e68.wo);
     } else {
-        let _e67 = face_13;
-        let _e69 = face_13;
-        let _e71 = read_;
-        let _e73 = interfaceLobeDirection(_e67.wo, _e69.n, _e71.angle);
-        local_110 = _e73;
+        let _e71 = face_13;
+        let _e73 = face_13;
+        let _e75 = read_;
+        let _e77 = interfaceLobeDirection(_e71.wo, _e73.n, _e75.angle);
+        local_111 = _e77;
     }
-    let _e75 = local_110;
-    inner_6.direction = _e75;
-    let _e77 = matched;
-    if _e77 {
-        local_111 = 0f;
+    let _e79 = local_111;
+    inner_6.direction = _e79;
+    let _e81 = matched;
+    if _e81 {
+        local_112 = 0f;
     } else {
-        let _e79 = read_;
-        local_111 = _e79.sigma;
+        let _e83 = read_;
+        local_112 = _e83.sigma;
     }
-    let _e82 = local_111;
-    inner_6.sigma = _e82;
-    let _e84 = read_;
-    let _e86 = matched;
-    if _e86 {
-        local_112 = 1f;
+    let _e86 = local_112;
+    inner_6.sigma = _e86;
+    let _e88 = read_;
+    let _e90 = matched;
+    if _e90 {
+        local_113 = 1f;
     } else {
-        let _e88 = energy_5;
-        local_112 = _e88;
+        let _e92 = energy_5;
+        local_113 = _e92;
     }
-    let _e90 = local_112;
-    inner_6.weight = (_e84.weight * _e90);
-    let _e92 = inner_6;
-    return _e92;
+    let _e94 = local_113;
+    inner_6.weight = (_e88.weight * _e94);
+    let _e96 = inner_6;
+    return _e96;
 }
 
 fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: Widening) -> ComposedPair {
@@ -8741,64 +8777,83 @@ fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: 
     var k_31: Widening;
     var view_35: ExitView;
     var cosTheta_56: f32;
-    var local_113: f32;
+    var local_114: f32;
     var energy_6: f32;
     var first_8: InterfaceLobe;
+    var one_1: ComposedPair;
     var second_1: InterfaceLobe;
 
     inner_8 = inner_7;
     core_7 = core_6;
     s_20 = s_19;
     k_31 = k_30;
-    let _e44 = inner_8;
-    let _e45 = core_7;
-    let _e46 = s_20;
-    let _e47 = k_31;
-    let _e48 = seeExit(_e44, _e45, _e46, _e47);
-    view_35 = _e48;
-    let _e50 = view_35;
-    cosTheta_56 = max(_e50.cosTheta, 0f);
-    let _e55 = s_20;
-    if (abs((_e55.eta - 1f)) < INDEX_MATCHED) {
-        local_113 = 1f;
+    let _e48 = inner_8;
+    let _e49 = core_7;
+    let _e50 = s_20;
+    let _e51 = k_31;
+    let _e52 = seeExit(_e48, _e49, _e50, _e51);
+    view_35 = _e52;
+    let _e54 = view_35;
+    cosTheta_56 = max(_e54.cosTheta, 0f);
+    let _e59 = s_20;
+    if (abs((_e59.eta - 1f)) < INDEX_MATCHED) {
+        local_114 = 1f;
     } else {
-        let _e62 = cosTheta_56;
-        let _e63 = view_35;
-        let _e65 = s_20;
-        let _e67 = engineFaceEnergy(_e62, _e63.alphaEnergy, _e65.eta);
-        local_113 = _e67.transmitted;
+        let _e66 = cosTheta_56;
+        let _e67 = view_35;
+        let _e69 = s_20;
+        let _e71 = engineFaceEnergy(_e66, _e67.alphaEnergy, _e69.eta);
+        local_114 = _e71.transmitted;
     }
-    let _e70 = local_113;
-    energy_6 = _e70;
-    let _e73 = cosTheta_56;
-    let _e74 = view_35;
-    let _e76 = s_20;
-    let _e78 = engineFaceLobe(0i, _e73, _e74.alphaShape, _e76.eta);
-    first_8 = _e78;
-    let _e81 = cosTheta_56;
-    let _e82 = view_35;
-    let _e84 = s_20;
-    let _e86 = engineFaceLobe(1i, _e81, _e82.alphaShape, _e84.eta);
-    second_1 = _e86;
-    let _e88 = inner_8;
-    let _e89 = view_35;
-    let _e90 = s_20;
-    let _e91 = first_8;
-    let _e93 = first_8;
-    let _e95 = first_8;
-    let _e97 = energy_6;
-    let _e98 = composeLobe(_e88, _e89, _e90, _e91.angle, _e93.sigma, _e95.weight, _e97);
-    let _e99 = inner_8;
-    let _e100 = view_35;
-    let _e101 = s_20;
-    let _e102 = second_1;
-    let _e104 = second_1;
-    let _e106 = second_1;
-    let _e108 = energy_6;
-    let _e109 = composeLobe(_e99, _e100, _e101, _e102.angle, _e104.sigma, _e106.weight, _e108);
-    let _e110 = view_35;
-    let _e111 = composedPair(_e98, _e109, _e110);
-    return _e111;
+    let _e74 = local_114;
+    energy_6 = _e74;
+    let _e77 = cosTheta_56;
+    let _e78 = view_35;
+    let _e80 = s_20;
+    let _e82 = engineFaceLobe(0i, _e77, _e78.alphaShape, _e80.eta);
+    first_8 = _e82;
+    let _e84 = view_35;
+    if (_e84.alphaShape < SMOOTH_ALPHA) {
+        {
+            let _e89 = inner_8;
+            let _e90 = view_35;
+            let _e91 = s_20;
+            let _e92 = first_8;
+            let _e94 = first_8;
+            let _e97 = energy_6;
+            let _e98 = composeLobe(_e89, _e90, _e91, _e92.angle, _e94.sigma, 1f, _e97);
+            one_1.core = _e98;
+            let _e100 = one_1;
+            one_1.rest = _e100.core;
+            one_1.rest.weight = 0f;
+            let _e105 = one_1;
+            return _e105;
+        }
+    }
+    let _e107 = cosTheta_56;
+    let _e108 = view_35;
+    let _e110 = s_20;
+    let _e112 = engineFaceLobe(1i, _e107, _e108.alphaShape, _e110.eta);
+    second_1 = _e112;
+    let _e114 = inner_8;
+    let _e115 = view_35;
+    let _e116 = s_20;
+    let _e117 = first_8;
+    let _e119 = first_8;
+    let _e121 = first_8;
+    let _e123 = energy_6;
+    let _e124 = composeLobe(_e114, _e115, _e116, _e117.angle, _e119.sigma, _e121.weight, _e123);
+    let _e125 = inner_8;
+    let _e126 = view_35;
+    let _e127 = s_20;
+    let _e128 = second_1;
+    let _e130 = second_1;
+    let _e132 = second_1;
+    let _e134 = energy_6;
+    let _e135 = composeLobe(_e125, _e126, _e127, _e128.angle, _e130.sigma, _e132.weight, _e134);
+    let _e136 = view_35;
+    let _e137 = composedPair(_e124, _e135, _e136);
+    return _e137;
 }
 
 fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLobe, entered: f32, e_8: ConvexExit, passed: f32) -> vec3<f32> {
@@ -8817,7 +8872,7 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     var outward_3: vec3<f32>;
     var spread_5: f32;
     var way_9: vec3<f32>;
-    var local_114: vec3<f32>;
+    var local_115: vec3<f32>;
     var direction_24: vec3<f32>;
     var seen_2: vec3<f32>;
 
@@ -8827,70 +8882,70 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     entered_1 = entered;
     e_9 = e_8;
     passed_1 = passed;
-    let _e49 = inner_10;
-    let _e51 = e_9;
-    cosTheta_57 = max(dot(_e49.direction, _e51.surface.n), 0f);
-    let _e58 = cosTheta_57;
-    let _e59 = body_3;
-    let _e61 = e_9;
-    let _e64 = engineFaceEnergy(_e58, _e59.backAlpha, _e61.surface.eta);
-    own_2 = _e64;
-    let _e68 = passed_1;
-    w_38.passes = _e68;
-    let _e70 = own_2;
-    let _e72 = own_2;
-    let _e75 = passed_1;
-    w_38.back = clamp(((_e70.transmitted + _e72.reflected) - _e75), 0f, 0.99f);
-    let _e80 = inner_10;
-    let _e83 = cosTheta_57;
-    let _e85 = e_9;
-    reflected = (_e80.direction - ((2f * _e83) * _e85.surface.n));
-    let _e91 = body_3;
-    let _e93 = body_3;
-    q_2 = clamp((_e91.thickness * _e93.curvature), 0f, 2f);
-    let _e100 = face_15;
-    let _e102 = e_9;
-    let _e106 = cosTheta_57;
-    let _e108 = reflected;
-    let _e112 = q_2;
-    near_2 = normalize(mix(_e100.n, (_e102.surface.n + ((2f * _e106) * _e108)), vec3((0.5f * _e112))));
-    let _e118 = reflected;
-    let _e120 = near_2;
-    let _e122 = e_9;
-    let _e125 = refractAbout(-(_e118), -(_e120), _e122.surface.eta);
-    outward_3 = _e125;
-    let _e127 = inner_10;
-    let _e129 = inner_10;
-    let _e133 = body_3;
-    let _e136 = body_3;
-    let _e141 = body_3;
-    spread_5 = (sqrt(((_e127.sigma * _e129.sigma) + ((4f * _e133.backAlpha) * _e136.backAlpha))) * _e141.ior);
-    let _e145 = e_9;
-    let _e148 = body_3;
-    way_9 = exp((-(_e145.path) * _e148.attenuation));
-    let _e153 = outward_3;
-    let _e154 = outward_3;
-    if (dot(_e153, _e154) > 0f) {
-        let _e158 = outward_3;
-        local_114 = _e158;
+    let _e53 = inner_10;
+    let _e55 = e_9;
+    cosTheta_57 = max(dot(_e53.direction, _e55.surface.n), 0f);
+    let _e62 = cosTheta_57;
+    let _e63 = body_3;
+    let _e65 = e_9;
+    let _e68 = engineFaceEnergy(_e62, _e63.backAlpha, _e65.surface.eta);
+    own_2 = _e68;
+    let _e72 = passed_1;
+    w_38.passes = _e72;
+    let _e74 = own_2;
+    let _e76 = own_2;
+    let _e79 = passed_1;
+    w_38.back = clamp(((_e74.transmitted + _e76.reflected) - _e79), 0f, 0.99f);
+    let _e84 = inner_10;
+    let _e87 = cosTheta_57;
+    let _e89 = e_9;
+    reflected = (_e84.direction - ((2f * _e87) * _e89.surface.n));
+    let _e95 = body_3;
+    let _e97 = body_3;
+    q_2 = clamp((_e95.thickness * _e97.curvature), 0f, 2f);
+    let _e104 = face_15;
+    let _e106 = e_9;
+    let _e110 = cosTheta_57;
+    let _e112 = reflected;
+    let _e116 = q_2;
+    near_2 = normalize(mix(_e104.n, (_e106.surface.n + ((2f * _e110) * _e112)), vec3((0.5f * _e116))));
+    let _e122 = reflected;
+    let _e124 = near_2;
+    let _e126 = e_9;
+    let _e129 = refractAbout(-(_e122), -(_e124), _e126.surface.eta);
+    outward_3 = _e129;
+    let _e131 = inner_10;
+    let _e133 = inner_10;
+    let _e137 = body_3;
+    let _e140 = body_3;
+    let _e145 = body_3;
+    spread_5 = (sqrt(((_e131.sigma * _e133.sigma) + ((4f * _e137.backAlpha) * _e140.backAlpha))) * _e145.ior);
+    let _e149 = e_9;
+    let _e152 = body_3;
+    way_9 = exp((-(_e149.path) * _e152.attenuation));
+    let _e157 = outward_3;
+    let _e158 = outward_3;
+    if (dot(_e157, _e158) > 0f) {
+        let _e162 = outward_3;
+        local_115 = _e162;
     } else {
-        let _e159 = near_2;
-        local_114 = _e159;
+        let _e163 = near_2;
+        local_115 = _e163;
     }
-    let _e161 = local_114;
-    direction_24 = _e161;
-    let _e163 = direction_24;
-    let _e164 = spread_5;
-    let _e167 = engineEnvironment(_e163, min(_e164, 0.606f));
-    seen_2 = (SCATTERED_SEEN * _e167);
-    let _e170 = entered_1;
-    let _e171 = w_38;
-    let _e174 = way_9;
-    let _e176 = w_38;
-    let _e177 = way_9;
-    let _e178 = internalScatteringEscapes(_e176, _e177);
-    let _e180 = seen_2;
-    return ((((_e170 * _e171.back) * _e174) * _e178) * _e180);
+    let _e165 = local_115;
+    direction_24 = _e165;
+    let _e167 = direction_24;
+    let _e168 = spread_5;
+    let _e171 = engineEnvironment(_e167, min(_e168, 0.606f));
+    seen_2 = (SCATTERED_SEEN * _e171);
+    let _e174 = entered_1;
+    let _e175 = w_38;
+    let _e178 = way_9;
+    let _e180 = w_38;
+    let _e181 = way_9;
+    let _e182 = internalScatteringEscapes(_e180, _e181);
+    let _e184 = seen_2;
+    return ((((_e174 * _e175.back) * _e178) * _e182) * _e184);
 }
 
 fn enterGlass(face_16: GlassFace, ior_8: f32) -> Entering {
@@ -8900,342 +8955,444 @@ fn enterGlass(face_16: GlassFace, ior_8: f32) -> Entering {
 
     face_17 = face_16;
     ior_9 = ior_8;
-    let _e43 = face_17;
-    let _e45 = face_17;
-    let _e48 = face_17;
-    let _e50 = ior_9;
-    let _e51 = engineFaceEnergy(dot(_e43.wo, _e45.n), _e48.alpha, _e50);
-    e_10.energy = _e51.transmitted;
-    let _e55 = face_17;
-    let _e56 = ior_9;
-    let _e57 = e_10;
-    let _e59 = engineEnteringLobe(0i, _e55, _e56, _e57.energy);
-    e_10.core = _e59;
-    let _e62 = face_17;
-    let _e63 = ior_9;
-    let _e64 = e_10;
-    let _e66 = engineEnteringLobe(1i, _e62, _e63, _e64.energy);
-    e_10.tail = _e66;
-    let _e67 = e_10;
-    return _e67;
+    let _e47 = face_17;
+    let _e49 = face_17;
+    let _e52 = face_17;
+    let _e54 = ior_9;
+    let _e55 = engineFaceEnergy(dot(_e47.wo, _e49.n), _e52.alpha, _e54);
+    e_10.energy = _e55.transmitted;
+    let _e59 = face_17;
+    let _e60 = ior_9;
+    let _e61 = e_10;
+    let _e63 = engineEnteringLobe(0i, _e59, _e60, _e61.energy);
+    e_10.core = _e63;
+    let _e65 = e_10;
+    e_10.tail = _e65.core;
+    e_10.tail.weight = 0f;
+    let _e70 = face_17;
+    if (_e70.alpha < SMOOTH_ALPHA) {
+        let _e75 = e_10;
+        e_10.core.weight = _e75.energy;
+    } else {
+        let _e79 = face_17;
+        let _e80 = ior_9;
+        let _e81 = e_10;
+        let _e83 = engineEnteringLobe(1i, _e79, _e80, _e81.energy);
+        e_10.tail = _e83;
+    }
+    let _e84 = e_10;
+    return _e84;
 }
 
-fn refractThrough(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, origin_18: vec3<f32>, coreExit: ConvexExit, tailExit: ConvexExit, view_36: SceneView, k_32: Widening) -> vec3<f32> {
+fn leaveGlass(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, coreExit: ConvexExit, tailExit: ConvexExit, k_32: Widening) -> Leaving {
     var face_19: GlassFace;
     var body_5: ConvexBody;
     var e_12: Entering;
-    var origin_19: vec3<f32>;
     var coreExit_1: ConvexExit;
     var tailExit_1: ConvexExit;
-    var view_37: SceneView;
     var k_33: Widening;
     var first_9: ComposedPair;
-    var pair_3: ComposedPair;
+    var leaving: Leaving;
     var bent: f32;
-    var met_8: SceneIntersection;
-    var sum_14: vec3<f32>;
-    var local_115: f32;
-    var passed_2: f32;
+    var local_116: f32;
 
     face_19 = face_18;
     body_5 = body_4;
     e_12 = e_11;
-    origin_19 = origin_18;
     coreExit_1 = coreExit;
     tailExit_1 = tailExit;
-    view_37 = view_36;
     k_33 = k_32;
     let _e53 = e_12;
     let _e56 = coreExit_1;
     let _e58 = k_33;
     let _e59 = engineLeavingPair(_e53.core, true, _e56.surface, _e58);
     first_9 = _e59;
-    let _e61 = first_9;
-    let _e62 = e_12;
-    let _e65 = tailExit_1;
-    let _e67 = k_33;
-    let _e68 = engineLeavingPair(_e62.tail, false, _e65.surface, _e67);
-    let _e69 = mergePairs(_e61, _e68);
-    pair_3 = _e69;
-    let _e74 = body_5;
-    bent = (2f * (1f - (1f / _e74.ior)));
-    let _e82 = pair_3;
-    let _e85 = pair_3;
-    let _e89 = bent;
-    let _e90 = bent;
-    let _e92 = face_19;
-    pair_3.core.sigma = sqrt(((_e82.core.sigma * _e85.core.sigma) + ((_e89 * _e90) * _e92.turn)));
-    let _e97 = origin_19;
-    let _e98 = pair_3;
-    let _e101 = view_37;
-    let _e102 = sceneIntersection(_e97, _e98.core.direction, _e101);
-    met_8 = _e102;
-    let _e104 = pair_3;
-    let _e107 = pair_3;
-    let _e109 = origin_19;
-    let _e110 = coreExit_1;
-    let _e112 = met_8;
-    let _e113 = view_37;
-    let _e114 = lobeRadiance(_e107.core, _e109, _e110.path, _e112, _e113);
-    sum_14 = (_e104.core.weight * _e114);
-    let _e117 = pair_3;
-    if (_e117.rest.weight > 0f) {
-        let _e122 = sum_14;
-        let _e123 = pair_3;
-        let _e126 = pair_3;
-        let _e128 = origin_19;
-        let _e129 = coreExit_1;
-        let _e131 = met_8;
-        let _e132 = view_37;
-        let _e133 = lobeRadiance(_e126.rest, _e128, _e129.path, _e131, _e132);
-        sum_14 = (_e122 + (_e123.rest.weight * _e133));
+    let _e63 = first_9;
+    leaving.pair = _e63;
+    let _e64 = e_12;
+    if (_e64.tail.weight > 0f) {
+        let _e70 = first_9;
+        let _e71 = e_12;
+        let _e74 = tailExit_1;
+        let _e76 = k_33;
+        let _e77 = engineLeavingPair(_e71.tail, false, _e74.surface, _e76);
+        let _e78 = mergePairs(_e70, _e77);
+        leaving.pair = _e78;
     }
-    let _e136 = e_12;
-    if (_e136.core.weight > 0f) {
-        let _e141 = first_9;
-        let _e144 = first_9;
-        let _e148 = e_12;
-        local_115 = ((_e141.core.weight + _e144.rest.weight) / _e148.core.weight);
+    let _e82 = body_5;
+    bent = (2f * (1f - (1f / _e82.ior)));
+    let _e91 = leaving;
+    let _e95 = leaving;
+    let _e100 = bent;
+    let _e101 = bent;
+    let _e103 = face_19;
+    leaving.pair.core.sigma = sqrt(((_e91.pair.core.sigma * _e95.pair.core.sigma) + ((_e100 * _e101) * _e103.turn)));
+    let _e109 = e_12;
+    if (_e109.core.weight > 0f) {
+        let _e114 = first_9;
+        let _e117 = first_9;
+        let _e121 = e_12;
+        local_116 = ((_e114.core.weight + _e117.rest.weight) / _e121.core.weight);
     } else {
-        local_115 = 0f;
+        local_116 = 0f;
     }
-    let _e154 = local_115;
-    passed_2 = _e154;
-    let _e156 = sum_14;
-    let _e157 = coreExit_1;
-    let _e160 = body_5;
-    let _e165 = face_19;
-    let _e166 = body_5;
-    let _e167 = e_12;
-    let _e169 = e_12;
-    let _e171 = coreExit_1;
-    let _e172 = passed_2;
-    let _e173 = internallyReflected(_e165, _e166, _e167.core, _e169.energy, _e171, _e172);
-    return ((_e156 * exp((-(_e157.path) * _e160.attenuation))) + _e173);
+    let _e127 = local_116;
+    leaving.passed = _e127;
+    let _e128 = leaving;
+    return _e128;
 }
 
-fn refractConvex(face_20: GlassFace, body_6: ConvexBody, view_38: SceneView, k_34: Widening) -> vec3<f32> {
+fn pairRadiance(pair_3: ComposedPair, origin_18: vec3<f32>, inside_7: f32, view_36: SceneView) -> vec3<f32> {
+    var pair_4: ComposedPair;
+    var origin_19: vec3<f32>;
+    var inside_8: f32;
+    var view_37: SceneView;
+    var met_8: SceneIntersection;
+    var sum_14: vec3<f32>;
+
+    pair_4 = pair_3;
+    origin_19 = origin_18;
+    inside_8 = inside_7;
+    view_37 = view_36;
+    let _e49 = origin_19;
+    let _e50 = pair_4;
+    let _e53 = view_37;
+    let _e54 = sceneIntersection(_e49, _e50.core.direction, _e53);
+    met_8 = _e54;
+    let _e56 = pair_4;
+    let _e59 = pair_4;
+    let _e61 = origin_19;
+    let _e62 = inside_8;
+    let _e63 = met_8;
+    let _e64 = view_37;
+    let _e65 = lobeRadiance(_e59.core, _e61, _e62, _e63, _e64);
+    sum_14 = (_e56.core.weight * _e65);
+    let _e68 = pair_4;
+    if (_e68.rest.weight > 0f) {
+        let _e73 = sum_14;
+        let _e74 = pair_4;
+        let _e77 = pair_4;
+        let _e79 = origin_19;
+        let _e80 = inside_8;
+        let _e81 = met_8;
+        let _e82 = view_37;
+        let _e83 = lobeRadiance(_e77.rest, _e79, _e80, _e81, _e82);
+        sum_14 = (_e73 + (_e74.rest.weight * _e83));
+    }
+    let _e86 = sum_14;
+    return _e86;
+}
+
+fn refractThrough(face_20: GlassFace, body_6: ConvexBody, e_13: Entering, origin_20: vec3<f32>, coreExit_2: ConvexExit, tailExit_2: ConvexExit, view_38: SceneView, k_34: Widening) -> vec3<f32> {
     var face_21: GlassFace;
     var body_7: ConvexBody;
+    var e_14: Entering;
+    var origin_21: vec3<f32>;
+    var coreExit_3: ConvexExit;
+    var tailExit_3: ConvexExit;
     var view_39: SceneView;
     var k_35: Widening;
-    var e_13: Entering;
-    var core_8: ConvexExit;
-    var origin_20: vec3<f32>;
+    var left_2: Leaving;
+    var sum_15: vec3<f32>;
 
     face_21 = face_20;
     body_7 = body_6;
+    e_14 = e_13;
+    origin_21 = origin_20;
+    coreExit_3 = coreExit_2;
+    tailExit_3 = tailExit_2;
     view_39 = view_38;
     k_35 = k_34;
-    let _e45 = face_21;
-    let _e46 = body_7;
-    let _e48 = enterGlass(_e45, _e46.ior);
-    e_13 = _e48;
-    let _e50 = face_21;
-    let _e52 = e_13;
-    let _e55 = body_7;
-    let _e56 = convexExit(_e50.n, _e52.core.direction, _e55);
-    core_8 = _e56;
-    let _e58 = face_21;
-    let _e60 = core_8;
-    let _e62 = e_13;
-    origin_20 = (_e58.position + (_e60.path * _e62.core.direction));
-    let _e68 = face_21;
-    let _e69 = body_7;
-    let _e70 = e_13;
-    let _e71 = origin_20;
-    let _e72 = core_8;
-    let _e73 = face_21;
-    let _e75 = e_13;
-    let _e78 = body_7;
-    let _e79 = convexExit(_e73.n, _e75.tail.direction, _e78);
-    let _e80 = view_39;
-    let _e81 = k_35;
-    let _e82 = refractThrough(_e68, _e69, _e70, _e71, _e72, _e79, _e80, _e81);
-    return _e82;
+    let _e57 = face_21;
+    let _e58 = body_7;
+    let _e59 = e_14;
+    let _e60 = coreExit_3;
+    let _e61 = tailExit_3;
+    let _e62 = k_35;
+    let _e63 = leaveGlass(_e57, _e58, _e59, _e60, _e61, _e62);
+    left_2 = _e63;
+    let _e65 = left_2;
+    let _e67 = origin_21;
+    let _e68 = coreExit_3;
+    let _e70 = view_39;
+    let _e71 = pairRadiance(_e65.pair, _e67, _e68.path, _e70);
+    sum_15 = _e71;
+    let _e73 = sum_15;
+    let _e74 = coreExit_3;
+    let _e77 = body_7;
+    let _e82 = face_21;
+    let _e83 = body_7;
+    let _e84 = e_14;
+    let _e86 = e_14;
+    let _e88 = coreExit_3;
+    let _e89 = left_2;
+    let _e91 = internallyReflected(_e82, _e83, _e84.core, _e86.energy, _e88, _e89.passed);
+    return ((_e73 * exp((-(_e74.path) * _e77.attenuation))) + _e91);
 }
 
-fn wayOut(face_22: GlassFace, lobe_15: InnerLobe, eta_67: f32, number_8: f32, view_40: SceneView) -> WayOut {
+fn refractConvex(face_22: GlassFace, body_8: ConvexBody, view_40: SceneView, k_36: Widening) -> vec3<f32> {
     var face_23: GlassFace;
-    var lobe_16: InnerLobe;
-    var eta_68: f32;
-    var number_9: f32;
+    var body_9: ConvexBody;
     var view_41: SceneView;
-    var seen_3: BackFaceExit;
-    var way_10: WayOut;
-    var cosTheta_58: f32;
-    var onward: vec3<f32>;
-    var next_1: BackFaceExit;
-    var alpha_108: f32;
+    var k_37: Widening;
+    var e_15: Entering;
+    var core_8: ConvexExit;
+    var origin_22: vec3<f32>;
 
     face_23 = face_22;
-    lobe_16 = lobe_15;
-    eta_68 = eta_67;
-    number_9 = number_8;
+    body_9 = body_8;
     view_41 = view_40;
-    let _e47 = face_23;
-    let _e49 = lobe_16;
-    let _e52 = eta_68;
-    let _e53 = number_9;
-    let _e54 = view_41;
-    let _e55 = backFaceExit(_e47.position, _e49.direction, 0f, _e52, _e53, _e54);
-    seen_3 = _e55;
-    let _e59 = lobe_16;
-    way_10.lobe = _e59;
-    let _e61 = seen_3;
-    way_10.exit = _e61.exit;
-    let _e64 = face_23;
-    let _e66 = seen_3;
-    let _e69 = lobe_16;
-    way_10.point = (_e64.position + (_e66.exit.path * _e69.direction));
-    let _e74 = seen_3;
-    way_10.found = _e74.found;
-    let _e76 = lobe_16;
-    let _e78 = seen_3;
-    cosTheta_58 = dot(_e76.direction, _e78.exit.surface.n);
-    let _e84 = seen_3;
-    let _e88 = cosTheta_58;
-    let _e91 = cosTheta_58;
-    let _e94 = eta_68;
-    let _e95 = eta_68;
-    if (!(_e84.found) || (((1f - _e88) * (1f + _e91)) < (_e94 * _e95))) {
-        let _e99 = way_10;
-        return _e99;
-    }
-    let _e100 = lobe_16;
-    let _e103 = cosTheta_58;
-    let _e105 = seen_3;
-    onward = (_e100.direction - ((2f * _e103) * _e105.exit.surface.n));
-    let _e112 = way_10;
-    let _e114 = onward;
-    let _e116 = seen_3;
-    let _e120 = eta_68;
-    let _e121 = number_9;
-    let _e122 = view_41;
-    let _e123 = backFaceExit(_e112.point, _e114, (0.5f * _e116.exit.path), _e120, _e121, _e122);
-    next_1 = _e123;
-    let _e125 = next_1;
-    if !(_e125.found) {
-        let _e128 = way_10;
-        return _e128;
-    }
-    let _e129 = seen_3;
-    alpha_108 = _e129.exit.surface.alpha;
-    let _e136 = onward;
-    way_10.lobe.direction = _e136;
-    let _e139 = lobe_16;
-    let _e141 = lobe_16;
-    let _e145 = alpha_108;
-    let _e147 = alpha_108;
-    way_10.lobe.sigma = sqrt(((_e139.sigma * _e141.sigma) + ((4f * _e145) * _e147)));
-    let _e153 = lobe_16;
-    let _e155 = cosTheta_58;
-    let _e156 = alpha_108;
-    let _e157 = eta_68;
-    let _e158 = engineFaceEnergy(_e155, _e156, _e157);
-    way_10.lobe.weight = (_e153.weight * _e158.reflected);
-    let _e162 = next_1;
-    way_10.exit = _e162.exit;
-    let _e166 = seen_3;
-    let _e169 = next_1;
-    way_10.exit.path = (_e166.exit.path + _e169.exit.path);
-    let _e174 = way_10;
-    let _e176 = next_1;
-    let _e179 = onward;
-    way_10.point = (_e174.point + (_e176.exit.path * _e179));
-    let _e182 = way_10;
-    return _e182;
+    k_37 = k_36;
+    let _e49 = face_23;
+    let _e50 = body_9;
+    let _e52 = enterGlass(_e49, _e50.ior);
+    e_15 = _e52;
+    let _e54 = face_23;
+    let _e56 = e_15;
+    let _e59 = body_9;
+    let _e60 = convexExit(_e54.n, _e56.core.direction, _e59);
+    core_8 = _e60;
+    let _e62 = face_23;
+    let _e64 = core_8;
+    let _e66 = e_15;
+    origin_22 = (_e62.position + (_e64.path * _e66.core.direction));
+    let _e72 = face_23;
+    let _e73 = body_9;
+    let _e74 = e_15;
+    let _e75 = origin_22;
+    let _e76 = core_8;
+    let _e77 = face_23;
+    let _e79 = e_15;
+    let _e82 = body_9;
+    let _e83 = convexExit(_e77.n, _e79.tail.direction, _e82);
+    let _e84 = view_41;
+    let _e85 = k_37;
+    let _e86 = refractThrough(_e72, _e73, _e74, _e75, _e76, _e83, _e84, _e85);
+    return _e86;
 }
 
-fn refractFrontBack(face_24: GlassFace, body_8: ConvexBody, number_10: f32, view_42: SceneView, k_36: Widening) -> vec3<f32> {
-    var face_25: GlassFace;
-    var body_9: ConvexBody;
-    var number_11: f32;
+fn wayOut(origin_23: vec3<f32>, lobe_15: InnerLobe, eta_67: f32, which_8: FaceLayer, reflections: i32, view_42: SceneView) -> WayOut {
+    var origin_24: vec3<f32>;
+    var lobe_16: InnerLobe;
+    var eta_68: f32;
+    var which_9: FaceLayer;
+    var reflections_1: i32;
     var view_43: SceneView;
-    var k_37: Widening;
+    var seen_3: BackFaceExit;
+    var way_10: WayOut;
+    var k_38: i32 = 0i;
+    var cosTheta_58: f32;
+    var onward: vec3<f32>;
+    var alpha_108: f32;
+    var before: f32;
+
+    origin_24 = origin_23;
+    lobe_16 = lobe_15;
+    eta_68 = eta_67;
+    which_9 = which_8;
+    reflections_1 = reflections;
+    view_43 = view_42;
+    let _e53 = origin_24;
+    let _e54 = lobe_16;
+    let _e57 = eta_68;
+    let _e58 = which_9;
+    let _e59 = view_43;
+    let _e60 = backFaceExit(_e53, _e54.direction, 0f, _e57, _e58, _e59);
+    seen_3 = _e60;
+    let _e64 = lobe_16;
+    way_10.lobe = _e64;
+    let _e66 = seen_3;
+    way_10.exit = _e66.exit;
+    let _e69 = origin_24;
+    let _e70 = seen_3;
+    let _e73 = lobe_16;
+    way_10.point = (_e69 + (_e70.exit.path * _e73.direction));
+    let _e78 = seen_3;
+    way_10.found = _e78.found;
+    loop {
+        let _e82 = k_38;
+        let _e83 = reflections_1;
+        let _e85 = seen_3;
+        if !(((_e82 < _e83) && _e85.found)) {
+            break;
+        }
+        {
+            let _e92 = way_10;
+            let _e95 = seen_3;
+            cosTheta_58 = dot(_e92.lobe.direction, _e95.exit.surface.n);
+            let _e102 = cosTheta_58;
+            let _e105 = cosTheta_58;
+            let _e108 = eta_68;
+            let _e109 = eta_68;
+            if (((1f - _e102) * (1f + _e105)) < (_e108 * _e109)) {
+                break;
+            }
+            let _e112 = way_10;
+            let _e116 = cosTheta_58;
+            let _e118 = seen_3;
+            onward = (_e112.lobe.direction - ((2f * _e116) * _e118.exit.surface.n));
+            let _e125 = seen_3;
+            alpha_108 = _e125.exit.surface.alpha;
+            let _e130 = way_10;
+            let _e132 = onward;
+            let _e134 = seen_3;
+            let _e138 = eta_68;
+            let _e139 = which_9;
+            let _e140 = view_43;
+            let _e141 = backFaceExit(_e130.point, _e132, (0.5f * _e134.exit.path), _e138, _e139, _e140);
+            seen_3 = _e141;
+            let _e142 = seen_3;
+            if !(_e142.found) {
+                break;
+            }
+            let _e147 = onward;
+            way_10.lobe.direction = _e147;
+            let _e150 = way_10;
+            let _e153 = way_10;
+            let _e158 = alpha_108;
+            let _e160 = alpha_108;
+            way_10.lobe.sigma = sqrt(((_e150.lobe.sigma * _e153.lobe.sigma) + ((4f * _e158) * _e160)));
+            let _e166 = way_10;
+            let _e169 = cosTheta_58;
+            let _e170 = alpha_108;
+            let _e171 = eta_68;
+            let _e172 = engineFaceEnergy(_e169, _e170, _e171);
+            way_10.lobe.weight = (_e166.lobe.weight * _e172.reflected);
+            let _e175 = way_10;
+            before = _e175.exit.path;
+            let _e180 = seen_3;
+            way_10.exit = _e180.exit;
+            let _e184 = before;
+            let _e185 = seen_3;
+            way_10.exit.path = (_e184 + _e185.exit.path);
+            let _e190 = way_10;
+            let _e192 = seen_3;
+            let _e195 = onward;
+            way_10.point = (_e190.point + (_e192.exit.path * _e195));
+        }
+        continuing {
+            let _e89 = k_38;
+            k_38 = (_e89 + 1i);
+        }
+    }
+    let _e198 = way_10;
+    return _e198;
+}
+
+fn leavingFaces(layer_2: i32, number: f32) -> FaceLayer {
+    var layer_3: i32;
+    var number_1: f32;
+    var which_10: FaceLayer;
+
+    layer_3 = layer_2;
+    number_1 = number;
+    let _e47 = layer_3;
+    which_10.layer = _e47;
+    which_10.side = 1f;
+    let _e51 = number_1;
+    which_10.number = _e51;
+    let _e52 = which_10;
+    return _e52;
+}
+
+fn refractFrontBack(face_24: GlassFace, body_10: ConvexBody, number_2: f32, view_44: SceneView, k_39: Widening) -> vec3<f32> {
+    var face_25: GlassFace;
+    var body_11: ConvexBody;
+    var number_3: f32;
+    var view_45: SceneView;
+    var k_40: Widening;
     var entered_2: Entering;
     var core_9: WayOut;
     var tail_5: WayOut;
 
     face_25 = face_24;
-    body_9 = body_8;
-    number_11 = number_10;
-    view_43 = view_42;
-    k_37 = k_36;
-    let _e47 = face_25;
-    let _e48 = body_9;
-    let _e50 = enterGlass(_e47, _e48.ior);
-    entered_2 = _e50;
-    let _e52 = face_25;
-    let _e53 = entered_2;
-    let _e56 = body_9;
-    let _e59 = number_11;
-    let _e60 = view_43;
-    let _e61 = wayOut(_e52, _e53.core, (1f / _e56.ior), _e59, _e60);
-    core_9 = _e61;
-    let _e63 = core_9;
-    if !(_e63.found) {
-        let _e66 = face_25;
-        let _e67 = body_9;
-        let _e68 = view_43;
-        let _e69 = k_37;
-        let _e70 = refractConvex(_e66, _e67, _e68, _e69);
-        return _e70;
+    body_11 = body_10;
+    number_3 = number_2;
+    view_45 = view_44;
+    k_40 = k_39;
+    let _e51 = face_25;
+    let _e52 = body_11;
+    let _e54 = enterGlass(_e51, _e52.ior);
+    entered_2 = _e54;
+    let _e56 = face_25;
+    let _e58 = entered_2;
+    let _e61 = body_11;
+    let _e64 = number_3;
+    let _e65 = leavingFaces(BACK_FACES, _e64);
+    let _e67 = view_45;
+    let _e68 = wayOut(_e56.position, _e58.core, (1f / _e61.ior), _e65, 1i, _e67);
+    core_9 = _e68;
+    let _e70 = core_9;
+    if !(_e70.found) {
+        let _e73 = face_25;
+        let _e74 = body_11;
+        let _e75 = view_45;
+        let _e76 = k_40;
+        let _e77 = refractConvex(_e73, _e74, _e75, _e76);
+        return _e77;
     }
-    let _e71 = face_25;
-    let _e72 = entered_2;
-    let _e75 = body_9;
-    let _e78 = number_11;
-    let _e79 = view_43;
-    let _e80 = wayOut(_e71, _e72.tail, (1f / _e75.ior), _e78, _e79);
-    tail_5 = _e80;
-    let _e83 = core_9;
-    entered_2.core = _e83.lobe;
-    let _e85 = tail_5;
-    if _e85.found {
-        let _e88 = tail_5;
-        entered_2.tail = _e88.lobe;
+    let _e79 = core_9;
+    entered_2.core = _e79.lobe;
+    let _e81 = core_9;
+    tail_5 = _e81;
+    let _e83 = entered_2;
+    if (_e83.tail.weight > 0f) {
+        {
+            let _e88 = face_25;
+            let _e90 = entered_2;
+            let _e93 = body_11;
+            let _e96 = number_3;
+            let _e97 = leavingFaces(BACK_FACES, _e96);
+            let _e99 = view_45;
+            let _e100 = wayOut(_e88.position, _e90.tail, (1f / _e93.ior), _e97, 1i, _e99);
+            tail_5 = _e100;
+            let _e101 = tail_5;
+            if _e101.found {
+                let _e104 = tail_5;
+                entered_2.tail = _e104.lobe;
+            }
+            let _e106 = tail_5;
+            if !(_e106.found) {
+                let _e110 = core_9;
+                tail_5.exit = _e110.exit;
+            }
+        }
     }
-    let _e90 = tail_5;
-    if !(_e90.found) {
-        let _e94 = core_9;
-        tail_5.exit = _e94.exit;
-    }
-    let _e96 = face_25;
-    let _e97 = body_9;
-    let _e98 = entered_2;
-    let _e99 = core_9;
-    let _e101 = core_9;
-    let _e103 = tail_5;
-    let _e105 = view_43;
-    let _e106 = k_37;
-    let _e107 = refractThrough(_e96, _e97, _e98, _e99.point, _e101.exit, _e103.exit, _e105, _e106);
-    return _e107;
+    let _e112 = face_25;
+    let _e113 = body_11;
+    let _e114 = entered_2;
+    let _e115 = core_9;
+    let _e117 = core_9;
+    let _e119 = tail_5;
+    let _e121 = view_45;
+    let _e122 = k_40;
+    let _e123 = refractThrough(_e112, _e113, _e114, _e115.point, _e117.exit, _e119.exit, _e121, _e122);
+    return _e123;
 }
 
 fn lobeSide(direction_25: vec3<f32>) -> vec3<f32> {
     var direction_26: vec3<f32>;
     var level_3: vec3<f32>;
     var s_21: f32;
-    var local_116: vec3<f32>;
+    var local_117: vec3<f32>;
 
     direction_26 = direction_25;
-    let _e39 = direction_26;
-    let _e42 = direction_26;
-    level_3 = vec3<f32>(_e39.z, 0f, -(_e42.x));
-    let _e47 = level_3;
-    let _e48 = level_3;
-    s_21 = dot(_e47, _e48);
-    let _e51 = s_21;
-    if (_e51 > 0f) {
-        let _e54 = level_3;
-        let _e55 = s_21;
-        local_116 = (_e54 * inverseSqrt(_e55));
+    let _e43 = direction_26;
+    let _e46 = direction_26;
+    level_3 = vec3<f32>(_e43.z, 0f, -(_e46.x));
+    let _e51 = level_3;
+    let _e52 = level_3;
+    s_21 = dot(_e51, _e52);
+    let _e55 = s_21;
+    if (_e55 > 0f) {
+        let _e58 = level_3;
+        let _e59 = s_21;
+        local_117 = (_e58 * inverseSqrt(_e59));
     } else {
-        local_116 = vec3<f32>(1f, 0f, 0f);
+        local_117 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e63 = local_116;
-    return _e63;
+    let _e67 = local_117;
+    return _e67;
 }
 
 fn lobeStratum(direction_27: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2: f32, part_2: vec3<f32>) -> LobeStratum {
@@ -9248,83 +9405,83 @@ fn lobeStratum(direction_27: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
     var off_3: vec3<f32>;
     var turn_2: f32;
     var p_17: LobeStratum;
-    var local_117: f32;
     var local_118: f32;
+    var local_119: f32;
     var together: f32;
     var rest_5: f32;
-    var local_119: f32;
+    var local_120: f32;
 
     direction_28 = direction_27;
     sigma_15 = sigma_14;
     inner_12 = inner_11;
     carried_3 = carried_2;
     part_3 = part_2;
-    let _e47 = direction_28;
-    let _e48 = lobeSide(_e47);
-    side_4 = _e48;
-    let _e50 = part_3;
-    let _e52 = side_4;
+    let _e51 = direction_28;
+    let _e52 = lobeSide(_e51);
+    side_4 = _e52;
     let _e54 = part_3;
-    let _e56 = direction_28;
-    let _e57 = side_4;
-    off_3 = ((_e50.x * _e52) + (_e54.y * cross(_e56, _e57)));
-    let _e62 = sigma_15;
-    let _e63 = off_3;
-    turn_2 = (_e62 * length(_e63));
-    let _e69 = turn_2;
-    let _e71 = direction_28;
+    let _e56 = side_4;
+    let _e58 = part_3;
+    let _e60 = direction_28;
+    let _e61 = side_4;
+    off_3 = ((_e54.x * _e56) + (_e58.y * cross(_e60, _e61)));
+    let _e66 = sigma_15;
+    let _e67 = off_3;
+    turn_2 = (_e66 * length(_e67));
     let _e73 = turn_2;
-    if (_e73 > 0f) {
-        let _e76 = turn_2;
-        let _e78 = turn_2;
-        local_117 = (sin(_e76) / _e78);
+    let _e75 = direction_28;
+    let _e77 = turn_2;
+    if (_e77 > 0f) {
+        let _e80 = turn_2;
+        let _e82 = turn_2;
+        local_118 = (sin(_e80) / _e82);
     } else {
-        local_117 = 1f;
+        local_118 = 1f;
     }
-    let _e82 = local_117;
-    let _e83 = sigma_15;
-    let _e85 = off_3;
-    p_17.direction = ((cos(_e69) * _e71) + ((_e82 * _e83) * _e85));
-    let _e89 = part_3;
-    let _e91 = sigma_15;
-    p_17.sigma = (_e89.z * _e91);
-    let _e93 = sigma_15;
-    if (_e93 > 0f) {
-        let _e96 = carried_3;
-        let _e97 = sigma_15;
-        local_118 = clamp((_e96 / _e97), -1f, 1f);
-    } else {
-        local_118 = 0f;
-    }
-    let _e105 = local_118;
-    together = _e105;
-    let _e108 = together;
-    let _e109 = inner_12;
-    let _e111 = off_3;
-    p_17.aside = ((_e108 * _e109) * _e111);
-    let _e114 = together;
-    let _e115 = together;
-    let _e118 = part_3;
-    let _e120 = part_3;
-    rest_5 = sqrt(max((1f - ((_e114 * _e115) * (1f - (_e118.z * _e120.z)))), 0f));
-    let _e131 = rest_5;
-    let _e132 = inner_12;
-    p_17.inner = (_e131 * _e132);
-    let _e135 = rest_5;
-    if (_e135 > 0f) {
-        let _e138 = together;
-        let _e139 = sigma_15;
-        let _e141 = part_3;
-        let _e144 = part_3;
-        let _e147 = rest_5;
-        local_119 = ((((_e138 * _e139) * _e141.z) * _e144.z) / _e147);
+    let _e86 = local_118;
+    let _e87 = sigma_15;
+    let _e89 = off_3;
+    p_17.direction = ((cos(_e73) * _e75) + ((_e86 * _e87) * _e89));
+    let _e93 = part_3;
+    let _e95 = sigma_15;
+    p_17.sigma = (_e93.z * _e95);
+    let _e97 = sigma_15;
+    if (_e97 > 0f) {
+        let _e100 = carried_3;
+        let _e101 = sigma_15;
+        local_119 = clamp((_e100 / _e101), -1f, 1f);
     } else {
         local_119 = 0f;
     }
-    let _e151 = local_119;
-    p_17.carried = _e151;
-    let _e152 = p_17;
-    return _e152;
+    let _e109 = local_119;
+    together = _e109;
+    let _e112 = together;
+    let _e113 = inner_12;
+    let _e115 = off_3;
+    p_17.aside = ((_e112 * _e113) * _e115);
+    let _e118 = together;
+    let _e119 = together;
+    let _e122 = part_3;
+    let _e124 = part_3;
+    rest_5 = sqrt(max((1f - ((_e118 * _e119) * (1f - (_e122.z * _e124.z)))), 0f));
+    let _e135 = rest_5;
+    let _e136 = inner_12;
+    p_17.inner = (_e135 * _e136);
+    let _e139 = rest_5;
+    if (_e139 > 0f) {
+        let _e142 = together;
+        let _e143 = sigma_15;
+        let _e145 = part_3;
+        let _e148 = part_3;
+        let _e151 = rest_5;
+        local_120 = ((((_e142 * _e143) * _e145.z) * _e148.z) / _e151);
+    } else {
+        local_120 = 0f;
+    }
+    let _e155 = local_120;
+    p_17.carried = _e155;
+    let _e156 = p_17;
+    return _e156;
 }
 
 fn thinWallCoordinate(lobe_17: i32, lobes_8: i32, cosTheta_59: f32, alpha_109: f32, eta_69: f32) -> vec3<f32> {
@@ -9339,16 +9496,16 @@ fn thinWallCoordinate(lobe_17: i32, lobes_8: i32, cosTheta_59: f32, alpha_109: f
     cosTheta_60 = cosTheta_59;
     alpha_110 = alpha_109;
     eta_70 = eta_69;
-    let _e50 = cosTheta_60;
-    let _e54 = tableCoordinate(sqrt(max(_e50, 0f)), THIN_WALL_COSINES);
-    let _e55 = alpha_110;
-    let _e59 = lobe_18;
-    let _e60 = lobes_9;
-    let _e61 = blockCoordinate(sqrt(max(_e55, 0f)), THIN_WALL_ALPHAS, _e59, _e60);
-    let _e62 = eta_70;
-    let _e63 = interfaceEtaAxis(_e62);
-    let _e64 = tableCoordinate(_e63, THIN_WALL_SLICES);
-    return vec3<f32>(_e54, _e61, _e64);
+    let _e54 = cosTheta_60;
+    let _e58 = tableCoordinate(sqrt(max(_e54, 0f)), THIN_WALL_COSINES);
+    let _e59 = alpha_110;
+    let _e63 = lobe_18;
+    let _e64 = lobes_9;
+    let _e65 = blockCoordinate(sqrt(max(_e59, 0f)), THIN_WALL_ALPHAS, _e63, _e64);
+    let _e66 = eta_70;
+    let _e67 = interfaceEtaAxis(_e66);
+    let _e68 = tableCoordinate(_e67, THIN_WALL_SLICES);
+    return vec3<f32>(_e58, _e65, _e68);
 }
 
 fn thinWallWidth(cosTheta_61: f32, alpha_111: f32, eta_71: f32) -> f32 {
@@ -9356,7 +9513,7 @@ fn thinWallWidth(cosTheta_61: f32, alpha_111: f32, eta_71: f32) -> f32 {
     var alpha_112: f32;
     var eta_72: f32;
     var c_33: f32;
-    var local_120: f32;
+    var local_121: f32;
     var n_52: f32;
     var across_15: f32;
     var width_7: f32;
@@ -9364,72 +9521,72 @@ fn thinWallWidth(cosTheta_61: f32, alpha_111: f32, eta_71: f32) -> f32 {
     cosTheta_62 = cosTheta_61;
     alpha_112 = alpha_111;
     eta_72 = eta_71;
-    let _e46 = cosTheta_62;
-    c_33 = clamp(_e46, 0f, 1f);
-    let _e51 = eta_72;
-    if (_e51 < 1f) {
-        let _e55 = eta_72;
-        local_120 = (1f / max(_e55, 0.01f));
-    } else {
+    let _e50 = cosTheta_62;
+    c_33 = clamp(_e50, 0f, 1f);
+    let _e55 = eta_72;
+    if (_e55 < 1f) {
         let _e59 = eta_72;
-        local_120 = _e59;
+        local_121 = (1f / max(_e59, 0.01f));
+    } else {
+        let _e63 = eta_72;
+        local_121 = _e63;
     }
-    let _e61 = local_120;
-    n_52 = _e61;
-    let _e63 = n_52;
-    let _e66 = n_52;
-    let _e70 = c_33;
-    let _e71 = n_52;
-    let _e72 = fresnelG(_e70, _e71);
-    let _e73 = c_33;
-    across_15 = (((_e63 - 1f) * (_e66 + 1f)) / max((_e72 + _e73), 0.000000000000000000000000000001f));
-    let _e80 = alpha_112;
-    let _e82 = across_15;
-    let _e84 = c_33;
-    let _e85 = c_33;
-    let _e87 = alpha_112;
-    width_7 = (((1.4142135f * _e80) * _e82) * inverseSqrt(sqrt(((_e84 * _e85) + max(_e87, 0.000000000001f)))));
-    let _e95 = width_7;
-    let _e98 = width_7;
-    return (_e95 / (1f + (2f * _e98)));
+    let _e65 = local_121;
+    n_52 = _e65;
+    let _e67 = n_52;
+    let _e70 = n_52;
+    let _e74 = c_33;
+    let _e75 = n_52;
+    let _e76 = fresnelG(_e74, _e75);
+    let _e77 = c_33;
+    across_15 = (((_e67 - 1f) * (_e70 + 1f)) / max((_e76 + _e77), 0.000000000000000000000000000001f));
+    let _e84 = alpha_112;
+    let _e86 = across_15;
+    let _e88 = c_33;
+    let _e89 = c_33;
+    let _e91 = alpha_112;
+    width_7 = (((1.4142135f * _e84) * _e86) * inverseSqrt(sqrt(((_e88 * _e89) + max(_e91, 0.000000000001f)))));
+    let _e99 = width_7;
+    let _e102 = width_7;
+    return (_e99 / (1f + (2f * _e102)));
 }
 
 fn thinWallEnergy(texel_10: vec4<f32>) -> ThinWallEnergy {
     var texel_11: vec4<f32>;
-    var e_14: ThinWallEnergy;
+    var e_16: ThinWallEnergy;
 
     texel_11 = texel_10;
-    let _e44 = texel_11;
-    e_14.transmitted = _e44.x;
-    let _e47 = texel_11;
-    e_14.reflectedFirst = _e47.y;
-    let _e50 = texel_11;
-    e_14.reflectedLater = _e50.z;
-    let _e52 = e_14;
-    return _e52;
+    let _e48 = texel_11;
+    e_16.transmitted = _e48.x;
+    let _e51 = texel_11;
+    e_16.reflectedFirst = _e51.y;
+    let _e54 = texel_11;
+    e_16.reflectedLater = _e54.z;
+    let _e56 = e_16;
+    return _e56;
 }
 
 fn thinWallLaterSpread(eta_73: f32) -> f32 {
     var eta_74: f32;
-    var local_121: f32;
+    var local_122: f32;
     var n_53: f32;
 
     eta_74 = eta_73;
-    let _e42 = eta_74;
-    if (_e42 < 1f) {
-        let _e46 = eta_74;
-        local_121 = (1f / max(_e46, 0.01f));
-    } else {
+    let _e46 = eta_74;
+    if (_e46 < 1f) {
         let _e50 = eta_74;
-        local_121 = _e50;
+        local_122 = (1f / max(_e50, 0.01f));
+    } else {
+        let _e54 = eta_74;
+        local_122 = _e54;
     }
-    let _e52 = local_121;
-    n_53 = _e52;
-    let _e54 = n_53;
-    let _e55 = n_53;
+    let _e56 = local_122;
+    n_53 = _e56;
     let _e58 = n_53;
+    let _e59 = n_53;
     let _e62 = n_53;
-    return sqrt(((_e54 * _e55) + ((0.5f * (_e58 - 1f)) * (_e62 - 1f))));
+    let _e66 = n_53;
+    return sqrt(((_e58 * _e59) + ((0.5f * (_e62 - 1f)) * (_e66 - 1f))));
 }
 
 fn thinWallLobe(texel_12: vec4<f32>, cosTheta_63: f32, alpha_113: f32, eta_75: f32) -> InterfaceLobe {
@@ -9445,24 +9602,323 @@ fn thinWallLobe(texel_12: vec4<f32>, cosTheta_63: f32, alpha_113: f32, eta_75: f
     cosTheta_64 = cosTheta_63;
     alpha_114 = alpha_113;
     eta_76 = eta_75;
-    let _e48 = cosTheta_64;
-    c_34 = clamp(_e48, 0f, 1f);
-    let _e53 = c_34;
-    let _e54 = alpha_114;
-    let _e58 = eta_76;
-    let _e59 = thinWallWidth(_e53, clamp(_e54, 0f, 1f), _e58);
-    width_8 = _e59;
-    let _e64 = c_34;
-    let _e67 = c_34;
+    let _e52 = cosTheta_64;
+    c_34 = clamp(_e52, 0f, 1f);
+    let _e57 = c_34;
+    let _e58 = alpha_114;
+    let _e62 = eta_76;
+    let _e63 = thinWallWidth(_e57, clamp(_e58, 0f, 1f), _e62);
+    width_8 = _e63;
+    let _e68 = c_34;
     let _e71 = c_34;
-    let _e73 = texel_13;
-    let _e75 = width_8;
-    lobe_19.angle = (atan2(sqrt(((1f - _e64) * (1f + _e67))), _e71) + (_e73.x * _e75));
-    let _e79 = texel_13;
-    let _e81 = width_8;
-    lobe_19.sigma = (_e79.y * _e81);
-    let _e84 = texel_13;
-    lobe_19.weight = _e84.z;
-    let _e86 = lobe_19;
-    return _e86;
+    let _e75 = c_34;
+    let _e77 = texel_13;
+    let _e79 = width_8;
+    lobe_19.angle = (atan2(sqrt(((1f - _e68) * (1f + _e71))), _e75) + (_e77.x * _e79));
+    let _e83 = texel_13;
+    let _e85 = width_8;
+    lobe_19.sigma = (_e83.y * _e85);
+    let _e88 = texel_13;
+    lobe_19.weight = _e88.z;
+    let _e90 = lobe_19;
+    return _e90;
+}
+
+fn wayOutOfTwo(origin_25: vec3<f32>, lobe_20: InnerLobe, eta_77: f32, number_4: f32, view_46: SceneView) -> WayOut {
+    var origin_26: vec3<f32>;
+    var lobe_21: InnerLobe;
+    var eta_78: f32;
+    var number_5: f32;
+    var view_47: SceneView;
+    var near_3: WayOut;
+
+    origin_26 = origin_25;
+    lobe_21 = lobe_20;
+    eta_78 = eta_77;
+    number_5 = number_4;
+    view_47 = view_46;
+    let _e55 = origin_26;
+    let _e56 = lobe_21;
+    let _e57 = eta_78;
+    let _e58 = number_5;
+    let _e59 = leavingFaces(BACK_FACES, _e58);
+    let _e60 = view_47;
+    let _e61 = wayOut(_e55, _e56, _e57, _e59, REFLECTIONS_INSIDE, _e60);
+    near_3 = _e61;
+    let _e63 = near_3;
+    if _e63.found {
+        let _e65 = near_3;
+        return _e65;
+    }
+    let _e66 = origin_26;
+    let _e67 = lobe_21;
+    let _e68 = eta_78;
+    let _e69 = number_5;
+    let _e70 = leavingFaces(SECOND_BACKS, _e69);
+    let _e71 = view_47;
+    let _e72 = wayOut(_e66, _e67, _e68, _e70, REFLECTIONS_INSIDE, _e71);
+    return _e72;
+}
+
+fn lobeOnward(lobe_22: ComposedLobe) -> InnerLobe {
+    var lobe_23: ComposedLobe;
+    var onward_1: InnerLobe;
+
+    lobe_23 = lobe_22;
+    let _e49 = lobe_23;
+    onward_1.direction = _e49.direction;
+    let _e52 = lobe_23;
+    onward_1.sigma = _e52.sigma;
+    let _e55 = lobe_23;
+    onward_1.weight = _e55.weight;
+    let _e57 = onward_1;
+    return _e57;
+}
+
+fn secondBody(pair_5: ComposedPair, origin_27: vec3<f32>, inside_9: f32, body_12: ConvexBody, view_48: SceneView, k_41: Widening) -> vec3<f32> {
+    var pair_6: ComposedPair;
+    var origin_28: vec3<f32>;
+    var inside_10: f32;
+    var body_13: ConvexBody;
+    var view_49: SceneView;
+    var k_42: Widening;
+    var fronts: FaceLayer;
+    var front_1: BackFaceExit;
+    var outer: InnerLobe;
+    var entered_3: ComposedPair;
+    var inner_13: InnerLobe;
+    var point_4: vec3<f32>;
+    var way_11: WayOut;
+    var beyond_1: ComposedPair;
+    var between: f32;
+    var local_123: f32;
+    var passed_2: f32;
+    var aside: ComposedLobe;
+    var sum_16: vec3<f32>;
+    var cosTheta_65: f32;
+    var alpha_115: f32;
+    var weight_3: f32;
+    var mirrored: vec3<f32>;
+
+    pair_6 = pair_5;
+    origin_28 = origin_27;
+    inside_10 = inside_9;
+    body_13 = body_12;
+    view_49 = view_48;
+    k_42 = k_41;
+    let _e59 = leavingFaces(SECOND_FRONTS, -1f);
+    fronts = _e59;
+    fronts.side = -1f;
+    let _e64 = origin_28;
+    let _e65 = pair_6;
+    let _e69 = body_13;
+    let _e71 = fronts;
+    let _e72 = view_49;
+    let _e73 = backFaceExit(_e64, _e65.core.direction, 0f, _e69.ior, _e71, _e72);
+    front_1 = _e73;
+    let _e75 = front_1;
+    if !(_e75.found) {
+        let _e78 = pair_6;
+        let _e79 = origin_28;
+        let _e80 = inside_10;
+        let _e81 = view_49;
+        let _e82 = pairRadiance(_e78, _e79, _e80, _e81);
+        return _e82;
+    }
+    let _e83 = pair_6;
+    let _e85 = lobeOnward(_e83.core);
+    outer = _e85;
+    let _e87 = outer;
+    let _e89 = front_1;
+    let _e92 = k_42;
+    let _e93 = engineLeavingPair(_e87, true, _e89.exit.surface, _e92);
+    entered_3 = _e93;
+    let _e95 = entered_3;
+    let _e97 = entered_3;
+    let _e99 = mergeLobes(_e95.core, _e97.rest);
+    let _e100 = lobeOnward(_e99);
+    inner_13 = _e100;
+    let _e102 = origin_28;
+    let _e103 = front_1;
+    let _e106 = outer;
+    point_4 = (_e102 + (_e103.exit.path * _e106.direction));
+    let _e111 = point_4;
+    let _e112 = inner_13;
+    let _e114 = body_13;
+    let _e117 = front_1;
+    let _e119 = leavingFaces(SECOND_BACKS, _e117.number);
+    let _e120 = view_49;
+    let _e121 = wayOut(_e111, _e112, (1f / _e114.ior), _e119, REFLECTIONS_INSIDE, _e120);
+    way_11 = _e121;
+    let _e123 = way_11;
+    if !(_e123.found) {
+        let _e126 = pair_6;
+        let _e127 = origin_28;
+        let _e128 = inside_10;
+        let _e129 = view_49;
+        let _e130 = pairRadiance(_e126, _e127, _e128, _e129);
+        return _e130;
+    }
+    let _e131 = way_11;
+    let _e134 = way_11;
+    let _e137 = k_42;
+    let _e138 = engineLeavingPair(_e131.lobe, true, _e134.exit.surface, _e137);
+    beyond_1 = _e138;
+    let _e140 = front_1;
+    let _e143 = way_11;
+    let _e146 = body_13;
+    between = (_e140.exit.path + (_e143.exit.path / _e146.ior));
+    let _e153 = outer;
+    beyond_1.core.inner = _e153.sigma;
+    let _e157 = outer;
+    beyond_1.rest.inner = _e157.sigma;
+    let _e159 = outer;
+    if (_e159.weight > 0f) {
+        let _e163 = beyond_1;
+        let _e166 = beyond_1;
+        let _e170 = outer;
+        local_123 = ((_e163.core.weight + _e166.rest.weight) / _e170.weight);
+    } else {
+        local_123 = 0f;
+    }
+    let _e175 = local_123;
+    passed_2 = _e175;
+    let _e177 = pair_6;
+    aside = _e177.rest;
+    let _e181 = pair_6;
+    let _e184 = beyond_1;
+    let _e188 = pair_6;
+    aside.direction = normalize(((_e181.rest.direction + _e184.core.direction) - _e188.core.direction));
+    let _e194 = aside;
+    let _e196 = passed_2;
+    aside.weight = (_e194.weight * _e196);
+    let _e199 = beyond_1;
+    let _e201 = aside;
+    let _e202 = mergeLobes(_e199.rest, _e201);
+    beyond_1.rest = _e202;
+    let _e203 = way_11;
+    let _e207 = body_13;
+    let _e211 = beyond_1;
+    let _e212 = way_11;
+    let _e214 = between;
+    let _e215 = view_49;
+    let _e216 = pairRadiance(_e211, _e212.point, _e214, _e215);
+    sum_16 = (exp((-(_e203.exit.path) * _e207.attenuation)) * _e216);
+    let _e219 = outer;
+    let _e221 = front_1;
+    cosTheta_65 = dot(_e219.direction, _e221.exit.surface.n);
+    let _e227 = front_1;
+    alpha_115 = _e227.exit.surface.alpha;
+    let _e232 = pair_6;
+    let _e235 = pair_6;
+    let _e239 = cosTheta_65;
+    let _e240 = alpha_115;
+    let _e241 = body_13;
+    let _e243 = engineFaceEnergy(_e239, _e240, _e241.ior);
+    weight_3 = ((_e232.core.weight + _e235.rest.weight) * _e243.reflected);
+    let _e247 = outer;
+    let _e250 = cosTheta_65;
+    let _e252 = front_1;
+    mirrored = (_e247.direction - ((2f * _e250) * _e252.exit.surface.n));
+    let _e259 = sum_16;
+    let _e260 = weight_3;
+    let _e261 = mirrored;
+    let _e262 = outer;
+    let _e264 = outer;
+    let _e268 = alpha_115;
+    let _e270 = alpha_115;
+    let _e276 = engineEnvironment(_e261, min(sqrt(((_e262.sigma * _e264.sigma) + ((4f * _e268) * _e270))), 0.606f));
+    return (_e259 + (_e260 * _e276));
+}
+
+fn refractTwoPairs(face_26: GlassFace, body_14: ConvexBody, number_6: f32, view_50: SceneView, k_43: Widening) -> vec3<f32> {
+    var face_27: GlassFace;
+    var body_15: ConvexBody;
+    var number_7: f32;
+    var view_51: SceneView;
+    var k_44: Widening;
+    var entered_4: Entering;
+    var core_10: WayOut;
+    var tail_6: WayOut;
+    var left_3: Leaving;
+    var sum_17: vec3<f32>;
+
+    face_27 = face_26;
+    body_15 = body_14;
+    number_7 = number_6;
+    view_51 = view_50;
+    k_44 = k_43;
+    let _e55 = face_27;
+    let _e56 = body_15;
+    let _e58 = enterGlass(_e55, _e56.ior);
+    entered_4 = _e58;
+    let _e60 = face_27;
+    let _e62 = entered_4;
+    let _e65 = body_15;
+    let _e68 = number_7;
+    let _e69 = view_51;
+    let _e70 = wayOutOfTwo(_e60.position, _e62.core, (1f / _e65.ior), _e68, _e69);
+    core_10 = _e70;
+    let _e72 = core_10;
+    if !(_e72.found) {
+        let _e75 = face_27;
+        let _e76 = body_15;
+        let _e77 = view_51;
+        let _e78 = k_44;
+        let _e79 = refractConvex(_e75, _e76, _e77, _e78);
+        return _e79;
+    }
+    let _e81 = core_10;
+    entered_4.core = _e81.lobe;
+    let _e83 = core_10;
+    tail_6 = _e83;
+    let _e85 = entered_4;
+    if (_e85.tail.weight > 0f) {
+        {
+            let _e90 = face_27;
+            let _e92 = entered_4;
+            let _e95 = body_15;
+            let _e98 = number_7;
+            let _e99 = view_51;
+            let _e100 = wayOutOfTwo(_e90.position, _e92.tail, (1f / _e95.ior), _e98, _e99);
+            tail_6 = _e100;
+            let _e101 = tail_6;
+            if _e101.found {
+                let _e104 = tail_6;
+                entered_4.tail = _e104.lobe;
+            }
+            let _e106 = tail_6;
+            if !(_e106.found) {
+                let _e110 = core_10;
+                tail_6.exit = _e110.exit;
+            }
+        }
+    }
+    let _e112 = face_27;
+    let _e113 = body_15;
+    let _e114 = entered_4;
+    let _e115 = core_10;
+    let _e117 = tail_6;
+    let _e119 = k_44;
+    let _e120 = leaveGlass(_e112, _e113, _e114, _e115.exit, _e117.exit, _e119);
+    left_3 = _e120;
+    let _e122 = left_3;
+    let _e124 = core_10;
+    let _e126 = core_10;
+    let _e129 = body_15;
+    let _e130 = view_51;
+    let _e131 = k_44;
+    let _e132 = secondBody(_e122.pair, _e124.point, _e126.exit.path, _e129, _e130, _e131);
+    sum_17 = _e132;
+    let _e134 = sum_17;
+    let _e135 = core_10;
+    let _e139 = body_15;
+    let _e144 = face_27;
+    let _e145 = body_15;
+    let _e146 = entered_4;
+    let _e148 = entered_4;
+    let _e150 = core_10;
+    let _e152 = left_3;
+    let _e154 = internallyReflected(_e144, _e145, _e146.core, _e148.energy, _e150.exit, _e152.passed);
+    return ((_e134 * exp((-(_e135.exit.path) * _e139.attenuation))) + _e154);
 }

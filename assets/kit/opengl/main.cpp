@@ -1,5 +1,5 @@
 // Rough glass in OpenGL 4.5, offscreen: README.md beside this file says what each pass is.
-//   rough_glass [SCENE.glb [ENVIRONMENT.hdr [OUT.hdr [WIDTH HEIGHT [SAMPLES]]]]]
+//   rough_glass [SCENE.glb [ENVIRONMENT.hdr [OUT.hdr [WIDTH HEIGHT [SAMPLES [TIER]]]]]]
 #define GL_GLEXT_PROTOTYPES
 #include "scene.h"
 
@@ -107,17 +107,21 @@ struct Body {
   GLuint array, color, roughness;
 };
 
-// Bindings are those of the shaders: blocks 0 and 1, textures 2 to 11.
-enum { FRAME, DRAW, COLOR, ROUGHNESS, ENERGY, LOBES, REFLECTION, PYRAMID, DEPTH, EVEN, ODD, BACKS };
+// One layer of faces of glass.
+struct FaceLayer {
+  GLuint program, target;
+};
+
+// Bindings are those of the shaders: blocks 0 and 1, textures 2 to 13.
+enum { FRAME, DRAW, COLOR, ROUGHNESS, ENERGY, LOBES, REFLECTION, PYRAMID, DEPTH, EVEN, ODD, BACKS, SECOND_FRONTS, SECOND_BACKS };
 
 class Renderer {
 public:
-  Renderer(const Scene& scene, const Environment& map, int width, int height)
+  Renderer(const Scene& scene, const Environment& map, int width, int height, bool pairs)
       : scene_(scene), width_(width), height_(height), last_(last_level_of(width, height)) {
     sky_ = program_of("fullscreen.vert", "sky.frag");
     body_ = program_of("mesh.vert", "body.frag");
-    glass_ = program_of("mesh.vert", "glass.frag");
-    backs_ = program_of("mesh.vert", "back_faces.frag");
+    glass_ = program_of("mesh.vert", pairs ? "glass_pairs.frag" : "glass.frag");
     halve_ = program_of("fullscreen.vert", "halve.frag");
     glCreateVertexArrays(1, &nothing_);
     glCreateBuffers(2, blocks_);
@@ -130,17 +134,21 @@ public:
       glBindTextureUnit(GLuint(ENERGY + k), table_texture(tables[k]));
     for (const Mesh& mesh : scene.meshes)
       bodies_.push_back(body_of(mesh));
-    const GLuint back = texture_of(GL_RGBA32F, width, height, 1, GL_NEAREST);
     scene_depth_ = texture_of(GL_DEPTH_COMPONENT32F, width, height, 1, GL_NEAREST);
     pyramid_ = texture_of(GL_RGBA16F, width, height, last_ + 1, GL_LINEAR);
     for (int k = 0; k <= last_; ++k)
       levels_.push_back(target_of(pyramid_, k == 0 ? scene_depth_ : 0, k));
-    back_target_ = target_of(back, texture_of(GL_DEPTH_COMPONENT32F, width, height, 1, GL_NEAREST));
+    const char* const layers[] = {"back_faces.frag", "second_fronts.frag", "second_backs.frag"};
+    const GLuint depth = texture_of(GL_DEPTH_COMPONENT32F, width, height, 1, GL_NEAREST);
+    for (GLuint k = 0; k < (pairs ? 3U : 1U); ++k) {
+      const GLuint faces = texture_of(GL_RGBA32F, width, height, 1, GL_NEAREST);
+      faces_.push_back({program_of("mesh.vert", layers[k]), target_of(faces, depth)});
+      glBindTextureUnit(BACKS + k, faces);
+    }
     frame_ = target_of(texture_of(GL_RGBA16F, width, height, 1, GL_NEAREST),
                        texture_of(GL_DEPTH_COMPONENT32F, width, height, 1, GL_NEAREST));
     glBindTextureUnit(PYRAMID, pyramid_);
     glBindTextureUnit(DEPTH, scene_depth_);
-    glBindTextureUnit(BACKS, back);
     blur_environment(map);
   }
 
@@ -148,7 +156,7 @@ public:
   std::vector<float> draw(glm::vec2 offset) {
     const FrameBlock frame = frame_of(scene_, environment_, width_, height_, offset, last_, true);
     glNamedBufferSubData(blocks_[FRAME], 0, sizeof frame, &frame);
-    draw_bodies(levels_[0], false);    // 1. what is not glass, with its depth
+    draw_bodies();                     // 1. what is not glass, with its depth
     for (int k = 1; k <= last_; ++k) { // 2. its pyramid of Gaussians
       glTextureParameteri(pyramid_, GL_TEXTURE_BASE_LEVEL, k - 1);
       glTextureParameteri(pyramid_, GL_TEXTURE_MAX_LEVEL, k - 1);
@@ -160,8 +168,8 @@ public:
     }
     glTextureParameteri(pyramid_, GL_TEXTURE_BASE_LEVEL, 0);
     glTextureParameteri(pyramid_, GL_TEXTURE_MAX_LEVEL, last_);
-    draw_back_faces();         // 3. where rays leave the glass
-    draw_bodies(frame_, true); // 4. all of it, glass last
+    draw_faces();      // 3. where rays leave the glass
+    draw_glass();      // 4. glass, over what is not
     std::vector<float> texels(4U * width_ * height_);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, texels.data());
@@ -230,27 +238,42 @@ private:
     }
   }
 
-  void draw_bodies(GLuint target, bool glass_too) {
-    run(sky_, target, {0, 0, width_, height_}, 0, {});
+  // What is not glass, the sky last: only where nothing stands before it.
+  void draw_bodies() {
+    glBindFramebuffer(GL_FRAMEBUFFER, levels_[0]);
+    glViewport(0, 0, width_, height_);
     glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
     glClear(GL_DEPTH_BUFFER_BIT);
     draw_meshes(body_, false);
-    if (!glass_too) return;
-    glEnable(
-        GL_CULL_FACE); // bodies of glass are closed: what faces away is seen through their front
+    glUseProgram(sky_);
+    glBindVertexArray(nothing_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+
+  // Glass over what was drawn without it. Bodies are closed: what faces away is seen through their front.
+  void draw_glass() {
+    glBlitNamedFramebuffer(levels_[0], frame_, 0, 0, width_, height_, 0, 0, width_, height_,
+                           GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame_);
+    glViewport(0, 0, width_, height_);
+    glEnable(GL_CULL_FACE);
     draw_meshes(glass_, true);
     glDisable(GL_CULL_FACE);
   }
 
-  void draw_back_faces() {
-    glBindFramebuffer(GL_FRAMEBUFFER, back_target_);
+  // The nearest back faces, the front faces behind those, the back faces behind these.
+  void draw_faces() {
     glViewport(0, 0, width_, height_);
     glEnable(GL_DEPTH_TEST);
-    glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_CULL_FACE);
-    glCullFace(GL_FRONT);
-    draw_meshes(backs_, true);
+    glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    for (std::size_t k = 0; k < faces_.size(); ++k) {
+      glBindFramebuffer(GL_FRAMEBUFFER, faces_[k].target);
+      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+      glCullFace(k == 1 ? GL_BACK : GL_FRONT);
+      draw_meshes(faces_[k].program, true);
+    }
     glCullFace(GL_BACK);
     glDisable(GL_CULL_FACE);
   }
@@ -258,8 +281,8 @@ private:
   const Scene& scene_;
   const Levels environment_;
   const int width_, height_, last_;
-  GLuint sky_, body_, glass_, backs_, halve_, nothing_, blocks_[2], scene_depth_, pyramid_,
-      back_target_, frame_;
+  GLuint sky_, body_, glass_, halve_, nothing_, blocks_[2], scene_depth_, pyramid_, frame_;
+  std::vector<FaceLayer> faces_;
   std::vector<GLuint> levels_;
   std::vector<Body> bodies_;
 };
@@ -270,7 +293,7 @@ int main(int argc, char** argv) {
   const Asked asked = asked_of(argc, argv);
   open_device();
   const Scene scene = scene_of(asked.scene);
-  Renderer renderer(scene, environment_of(asked.environment), asked.width, asked.height);
+  Renderer renderer(scene, environment_of(asked.environment), asked.width, asked.height, asked.pairs);
   const Averaged averaged = averaged_of(renderer, asked);
   if (glGetError() != GL_NO_ERROR) fail("OpenGL reports an error");
   stbi_flip_vertically_on_write(1);
