@@ -20,18 +20,24 @@ def write_gltf(path, objects):
         return len(accessors) - 1
 
     used = set()
-    for index, ((p, n, t), material) in enumerate(objects):
+    numbers = {}  # of materials, by what they say
+    for (p, n, t), material in objects:
+        number = numbers.setdefault(id(material["gltf"]), len(numbers))
         primitive = {
             "attributes": {
                 "POSITION": stream(p, np.float32, "VEC3", 5126),
                 "NORMAL": stream(n, np.float32, "VEC3", 5126),
             },
             "indices": stream(t, np.uint32, "SCALAR", 5125),
-            "material": index,
+            "material": number,
         }
-        meshes.append({"primitives": [primitive]})
-        nodes.append({"mesh": index})
-        materials.append({"name": f"material {index}"} | material["gltf"])
+        if number == len(materials):
+            materials.append({"name": f"material {number}"} | material["gltf"])
+        if material.get("joins"):
+            meshes[-1]["primitives"].append(primitive)
+        else:
+            nodes.append({"mesh": len(meshes)})
+            meshes.append({"primitives": [primitive]})
         used |= set(material["gltf"].get("extensions", {}))
     path.with_suffix(".bin").write_bytes(blob)
     gltf = {

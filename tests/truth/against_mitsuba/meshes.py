@@ -19,6 +19,18 @@ def ball(centre, radius, rings):
     return np.array(centre) + radius * n, n, np.concatenate([upper, lower])
 
 
+def half(mesh, above):
+    """The triangles above or below y = 0."""
+    p, n, t = mesh
+    return p, n, t[(p[t].mean(1)[:, 1] > 0) == above]
+
+
+def turned(mesh):
+    """Seen from the other side."""
+    p, n, t = mesh
+    return p, -n, t[:, ::-1]
+
+
 def flat(triangles):
     """Each triangle (an n x 3 x 3 array) with its own corners and normal."""
     t = np.asarray(triangles, float)
