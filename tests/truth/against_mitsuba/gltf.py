@@ -20,20 +20,26 @@ def write_gltf(path, objects):
         return len(accessors) - 1
 
     used = set()
-    for index, ((p, n, t, *uv), material) in enumerate(objects):
+    numbers = {}  # of materials, by what they say
+    for (p, n, t, *uv), material in objects:
+        number = numbers.setdefault(id(material["gltf"]), len(numbers))
         primitive = {
             "attributes": {
                 "POSITION": stream(p, np.float32, "VEC3", 5126),
                 "NORMAL": stream(n, np.float32, "VEC3", 5126),
             },
             "indices": stream(t, np.uint32, "SCALAR", 5125),
-            "material": index,
+            "material": number,
         }
         if uv:
             primitive["attributes"]["TEXCOORD_0"] = stream(uv[0], np.float32, "VEC2", 5126)
-        meshes.append({"primitives": [primitive]})
-        nodes.append({"mesh": index})
-        materials.append({"name": f"material {index}"} | material["gltf"])
+        if number == len(materials):
+            materials.append({"name": f"material {number}"} | material["gltf"])
+        if material.get("joins"):
+            meshes[-1]["primitives"].append(primitive)
+        else:
+            nodes.append({"mesh": len(meshes)})
+            meshes.append({"primitives": [primitive]})
         used |= set(material["gltf"].get("extensions", {}))
     path.with_suffix(".bin").write_bytes(blob)
     gltf = {

@@ -1,22 +1,24 @@
-"""Materials, each as glTF for us, as a BSDF of Mitsuba's, and what is inside."""
+"""Materials, each as glTF for us, as a BSDF of Mitsuba's, and what is inside.
+
+`joins`: the part belongs to the mesh of the one before it. No BSDF: another part's is there in Mitsuba."""
 import numpy as np
 
 GOLD = {"n": [0.14, 0.43, 1.38], "k": [3.697, 2.455, 1.914]}  # of our preset `gold`
 
 
-def glass(alpha, distribution="ggx", color=None, distance=None):
+def glass(alpha, distribution="ggx", color=None, distance=None, ior=1.5, outside=1.0):
     gltf = {
         "pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 0},
         "extensions": {
             "KHR_materials_transmission": {"transmissionFactor": 1},
             "KHR_materials_volume": {"thicknessFactor": 1},
-            "KHR_materials_ior": {"ior": 1.5},
+            "KHR_materials_ior": {"ior": ior},
         },
         "extras": {"groundglass": {"alpha": alpha, "distribution": distribution}},
     }
-    bsdf = {"type": "dielectric", "int_ior": 1.5, "ext_ior": 1.0}
+    bsdf = {"type": "dielectric", "int_ior": ior, "ext_ior": outside}
     if alpha > 0:
-        bsdf = {"type": "roughdielectric", "int_ior": 1.5, "ext_ior": 1.0, "alpha": alpha, "distribution": distribution}
+        bsdf = {"type": "roughdielectric", "int_ior": ior, "ext_ior": outside, "alpha": alpha, "distribution": distribution}
     interior = None
     if color:
         gltf["extensions"]["KHR_materials_volume"] |= {"attenuationColor": color, "attenuationDistance": distance}

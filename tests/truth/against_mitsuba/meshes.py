@@ -26,6 +26,18 @@ def globe(centre, radius, rings):
     return (*ball(centre, radius, rings), uv)
 
 
+def half(mesh, above):
+    """The triangles above or below y = 0."""
+    p, n, t = mesh
+    return p, n, t[(p[t].mean(1)[:, 1] > 0) == above]
+
+
+def turned(mesh):
+    """Seen from the other side."""
+    p, n, t = mesh
+    return p, -n, t[:, ::-1]
+
+
 def flat(triangles):
     """Each triangle (an n x 3 x 3 array) with its own corners and normal."""
     t = np.asarray(triangles, float)

@@ -1,6 +1,6 @@
 """Scenes by name: a list of (mesh, material), a camera, an environment."""
 from .materials import brushed_gold, diffuse, glass, gold
-from .meshes import ball, box, checkers, globe, suzanne
+from .meshes import ball, box, checkers, globe, half, suzanne, turned
 from .places import ENVIRONMENTS
 
 
@@ -25,6 +25,16 @@ def scenes():
         (ball([1.9 * (i - 1), 0, 0], 0.9, rings), glass(alpha, "ggx", [0.3, 0.7, 0.9], 0.8))
         for i, alpha in enumerate((0.0, 0.15, 0.5))
     ]
+    # Bodies of two materials, and a solid whose wall is its container's.
+    globe = ball([0, 0, 0], 0.9, rings)
+    two = [(half(globe, True), glass(0.0)), (half(globe, False), glass(0.2) | {"joins": True})]
+    shell = glass(0.0)
+    inner = ball([0, 0, 0], 0.7, rings)
+    liquid = [
+        (globe, shell),
+        (turned(inner), shell | {"joins": True, "bsdf": None}),
+        (inner, glass(0.0, ior=1.33, outside=1.5)),
+    ]
     close = {"eye": [0, 0, 7], "target": [0, 0, 0], "fovy": 25}
     face = {"eye": [1.0, 0.6, 4.2], "target": [0, 0, 0], "fovy": 38}
     sky = next(e for e in ENVIRONMENTS if "royal" in e.name)
@@ -33,6 +43,8 @@ def scenes():
         "ball grid Beckmann": (beckmann, camera, sky),
         "slabs over checkers": (board + slabs, aslant, sky),
         "absorbing glass": (absorbing, close, sky),
+        "one body of two materials": (two, close, sky),
+        "liquid in glass": (liquid, close, sky),
     }
     brushed = [
         (globe([2.0 * (i % 2) - 1.0, 1.0 - 2.0 * (i // 2), 0], 0.9, rings), brushed_gold(across, strength))

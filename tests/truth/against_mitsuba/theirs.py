@@ -57,6 +57,8 @@ def batches(directory, objects, camera, environment, size, spp, channel):
         "environment": {"type": "envmap", "bitmap": mi.Bitmap(for_mitsuba(environment))},
     }
     for index, (mesh, material) in enumerate(objects):
+        if not material["bsdf"]:
+            continue
         path = directory / f"object{index}.ply"
         write_ply(path, mesh)
         shape = {"type": "ply", "filename": str(path), "bsdf": material["bsdf"]}
