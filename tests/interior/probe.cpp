@@ -42,7 +42,7 @@ ProbeResult probe(gpu::Device& device, const scene::Scene& scene, const ProbeDes
   uploaded.set(needs);
   const tables::DeviceTables no_tables;
   frame::Draws draws(device, uploaded, no_tables);
-  frame::UniformArray block, no_regions;
+  frame::UniformArray block, no_regions, no_shadows;
   frame::update_uniforms(device, block, "frame", std::vector{frame_block(desc)});
   const auto begin = [&](gpu::Encoder& encoder) {
     encoder.buffer("Frame", block.buffer, 0, block.size);
@@ -54,7 +54,7 @@ ProbeResult probe(gpu::Device& device, const scene::Scene& scene, const ProbeDes
   frame::Graph graph{.width = desc.width, .height = desc.height};
   for (int part = 0; part < 2 * desc.pairs; ++part)
     frame::declare_faces(graph, solids, part, desc.pairs);
-  frame::Context context{device, needs, draws, no_regions};
+  frame::Context context{device, needs, draws, no_regions, no_shadows};
   frame::Execution execution(device);
   execution.set(graph, context,
                 {.bind = [&](gpu::Encoder& encoder, int) { begin(encoder); }, .reads = {}});
