@@ -36,10 +36,10 @@ void write_instructions(const fs::path& home, const fs::path& own, const fs::pat
 }
 
 void write_three_shaders(const fs::path& home, const fs::path& directory) {
-  const std::string essl = snippet::print(home / "shaders", {"front_back_refraction"},
+  const std::string essl = snippet::print(home / "shaders", {"two_pair_refraction"},
                                           {snippet::Target::essl, "gg_", true});
   OutputFile file(directory / "shaders.js");
-  file.write("// Made by groundglass kit: front_back_refraction and what it needs, GLSL ES "
+  file.write("// Made by groundglass kit: two_pair_refraction and what it needs, GLSL ES "
              "3.00.\nexport const refraction = /* glsl */`\n"
              + essl + "`;\n");
   file.commit();

@@ -1,9 +1,12 @@
-// back_face_exit.glsl: where a ray inside glass leaves it, seen only through a pass of the nearest back faces' depth and normals.
+// back_face_exit.glsl: where a ray meets a face of glass, seen only through passes of the faces' depth and normals.
 // Frame    world, metres; pixels as engine.glsl; n out of the body; direction unit, inside.
-// alpha    of the back face met, [0, 1].
+// alpha    of the face met, [0, 1].
 // Returns  backFaceExit: surface and path as convexExit; found false: the faces show none that the ray meets, the rest is 0.
-//          engineBackFace, an engine's to supply: of the nearest back face of glass at a place, nearest texel: xy octEncode of its
-//          outward normal, z metres along the camera's axis, w its number, from 1, plus half of alpha; 0 where there is no face.
+//          surface.n along the ray.
+//          engineFace, an engine's to supply: of a layer of glass at a place, nearest texel: xy octEncode of its outward normal,
+//          z metres along the camera's axis, w its body's number, from 1, plus half of alpha; 0 where there is no face. Layers:
+//          BACK_FACES the nearest back faces; two_pair_refraction.glsl alone asks for SECOND_FRONTS, the nearest front faces behind
+//          those, and SECOND_BACKS, the nearest back faces behind these.
 // Source   [Wyman05]; Newton's steps on the planes that texels show, as exit_search.glsl's.
 // Limits   one back face: of a body that is not convex the ray leaves by the nearest. Perspective cameras only. At most 8 reads.
 #ifndef GG_REFRACTION_BACK_FACE_EXIT_GLSL
@@ -13,19 +16,31 @@
 #include "refraction/exit_search.glsl"
 #include "refraction/scene_intersection.glsl"
 
-vec4 engineBackFace(vec2 at);
+vec4 engineFace(int layer, vec2 at);
 
+const int BACK_FACES = 0;
+const int SECOND_FRONTS = 1;
+const int SECOND_BACKS = 2;
 const int BACK_FACE_STEPS = 6;
+
+// Which faces a ray may meet.
+struct FaceLayer {
+  int layer;
+  float side;   // 1: faces that a ray inside leaves by; -1: that a ray outside enters by
+  float number; // of their body; below 0: any
+};
 
 struct BackFace {
   vec3 point;
-  vec3 n;
+  vec3 n; // outward where rays leave, inward where they enter
   float alpha;
+  float number;
   bool exists; // it is of the body asked for
 };
 
 struct BackFaceExit {
   ConvexExit exit;
+  float number; // of the body met
   bool found;
 };
 
@@ -39,37 +54,39 @@ vec3 pixelStep(SceneView view, int axis) {
 }
 
 // The surface that the texel at `at` shows at its middle. p: any point that is seen at `at`, w its metres along the axis.
-BackFace backFaceAt(vec2 at, vec3 p, float w, float number, SceneView view) {
-  vec4 texel = engineBackFace(at);
+BackFace backFaceAt(vec2 at, vec3 p, float w, FaceLayer which, SceneView view) {
+  vec4 texel = engineFace(which.layer, at);
   vec2 off = floor(at) + 0.5 - at;
   BackFace face;
   face.point = view.eye + (p - view.eye) * (texel.z / w) +
                texel.z * (off.x * pixelStep(view, 0) + off.y * pixelStep(view, 1));
-  face.n = octDecode(vec2(texel.x, texel.y));
+  face.n = which.side * octDecode(vec2(texel.x, texel.y));
   face.alpha = 2.0 * fract(texel.w);
-  face.exists = floor(texel.w) == number;
+  face.number = floor(texel.w);
+  face.exists = which.number < 0.0 ? face.number > 0.0 : face.number == which.number;
   return face;
 }
 
 // A neighbour of a texel, if both belong to one smooth surface; else the texel itself, which says that nothing turns.
-BackFace backFaceBeside(BackFace own, vec2 at, vec3 p, float w, float number, SceneView view) {
-  BackFace beside = backFaceAt(at, p, w, number, view);
+BackFace backFaceBeside(BackFace own, vec2 at, vec3 p, float w, FaceLayer which, SceneView view) {
+  BackFace beside = backFaceAt(at, p, w, which, view);
   if (beside.exists && exitSame(own.point, own.n, beside.point, beside.n)) return beside;
   return own;
 }
 
 // The normal between texels, at the place `hit` within a pixel of `at`, and how the surface curves there.
-BackFaceExit backFaceBetween(BackFace face, vec2 at, vec2 hit, vec3 p, float w, float number, vec3 origin, vec3 direction,
+BackFaceExit backFaceBetween(BackFace face, vec2 at, vec2 hit, vec3 p, float w, FaceLayer which, vec3 origin, vec3 direction,
                              SceneView view) {
   vec3 stepX = pixelStep(view, 0);
   vec3 stepY = pixelStep(view, 1);
-  BackFace right = backFaceBeside(face, at + vec2(1.0, 0.0), p + w * stepX, w, number, view);
-  BackFace below = backFaceBeside(face, at + vec2(0.0, 1.0), p + w * stepY, w, number, view);
+  BackFace right = backFaceBeside(face, at + vec2(1.0, 0.0), p + w * stepX, w, which, view);
+  BackFace below = backFaceBeside(face, at + vec2(0.0, 1.0), p + w * stepY, w, which, view);
   vec2 off = hit - floor(at) - 0.5;
   BackFaceExit found;
   found.exit.surface.n = normalize(face.n + off.x * (right.n - face.n) + off.y * (below.n - face.n));
   found.exit.surface.alpha = face.alpha;
   found.exit.path = exitPlane(origin, direction, face.point, face.n);
+  found.number = face.number;
   float cosTheta = dot(direction, found.exit.surface.n);
   vec2 curvature = exitCurvature(face.n, direction, right.point - face.point, right.n - face.n, below.point - face.point,
                                  below.n - face.n);
@@ -80,13 +97,14 @@ BackFaceExit backFaceBetween(BackFace face, vec2 at, vec2 hit, vec3 p, float w, 
 
 // From the back face behind the pixel on to the plane that is seen where the ray meets it, until the next is the same.
 // first: how far along the ray to begin, metres: 0 on the front face.
-BackFaceExit backFaceExit(vec3 origin, vec3 direction, float first, float eta, float number, SceneView view) {
+BackFaceExit backFaceExit(vec3 origin, vec3 direction, float first, float eta, FaceLayer which, SceneView view) {
   BackFaceExit none;
   none.exit.surface.n = direction;
   none.exit.surface.alpha = 0.0;
   none.exit.surface.turn = vec2(0.0);
   none.exit.path = 0.0;
   none.exit.surface.eta = eta;
+  none.number = 0.0;
   none.found = false;
   float inside = 0.0; // the farthest place where the body was seen behind the ray
   float t = first;
@@ -95,7 +113,7 @@ BackFaceExit backFaceExit(vec3 origin, vec3 direction, float first, float eta, f
     vec4 clip = view.clipFromWorld * vec4(p, 1.0);
     if (!(clip.w > 0.0)) return none;
     vec2 at = scenePixel(clip, view.size);
-    BackFace face = backFaceAt(at, p, clip.w, number, view);
+    BackFace face = backFaceAt(at, p, clip.w, which, view);
     float met = exitPlane(origin, direction, face.point, face.n);
     bool meets = face.exists && dot(direction, face.n) > 0.0 && met > 0.0;
     // Behind the pixel is a face that the ray does not meet: as deep as the body is there.
@@ -112,7 +130,7 @@ BackFaceExit backFaceExit(vec3 origin, vec3 direction, float first, float eta, f
     vec2 hit = scenePixel(there, view.size);
     vec2 moved = hit - at;
     if (there.w > 0.0 && dot(moved, moved) < 0.5) {
-      BackFaceExit found = backFaceBetween(face, at, hit, p, clip.w, number, origin, direction, view);
+      BackFaceExit found = backFaceBetween(face, at, hit, p, clip.w, which, origin, direction, view);
       found.exit.surface.eta = eta;
       return found;
     }

@@ -90,22 +90,39 @@ Entering enterGlass(GlassFace face, float ior) {
   return e;
 }
 
+// What core and tail become outside.
+struct Leaving {
+  ComposedPair pair;
+  float passed; // share of the core that the exit let through
+};
+
+Leaving leaveGlass(GlassFace face, ConvexBody body, Entering e, ConvexExit coreExit, ConvexExit tailExit, Widening k) {
+  ComposedPair first = engineLeavingPair(e.core, true, coreExit.surface, k);
+  Leaving leaving;
+  leaving.pair = first;
+  if (e.tail.weight > 0.0) leaving.pair = mergePairs(first, engineLeavingPair(e.tail, false, tailExit.surface, k));
+  // Over the pixel both faces turn together, as a prism's do: by 2 (1 - 1 / ior) of the normal's turn.
+  float bent = 2.0 * (1.0 - 1.0 / body.ior);
+  leaving.pair.core.sigma = sqrt(leaving.pair.core.sigma * leaving.pair.core.sigma + bent * bent * face.turn);
+  leaving.passed = e.core.weight > 0.0 ? (first.core.weight + first.rest.weight) / e.core.weight : 0.0;
+  return leaving;
+}
+
+// What a pair of lobes shows that leaves at `origin`, `inside` metres after the near face.
+vec3 pairRadiance(ComposedPair pair, vec3 origin, float inside, SceneView view) {
+  SceneIntersection met = sceneIntersection(origin, pair.core.direction, view);
+  vec3 sum = pair.core.weight * lobeRadiance(pair.core, origin, inside, met, view);
+  // The rest leaves beside the core and meets the same thing.
+  if (pair.rest.weight > 0.0) sum += pair.rest.weight * lobeRadiance(pair.rest, origin, inside, met, view);
+  return sum;
+}
+
 // On through the exits that core and tail meet, the core's at `origin`, to what is seen there.
 vec3 refractThrough(GlassFace face, ConvexBody body, Entering e, vec3 origin, ConvexExit coreExit, ConvexExit tailExit,
                     SceneView view, Widening k) {
-  ComposedPair first = engineLeavingPair(e.core, true, coreExit.surface, k);
-  ComposedPair pair = first;
-  if (e.tail.weight > 0.0) pair = mergePairs(first, engineLeavingPair(e.tail, false, tailExit.surface, k));
-
-  // Over the pixel both faces turn together, as a prism's do: by 2 (1 - 1 / ior) of the normal's turn.
-  float bent = 2.0 * (1.0 - 1.0 / body.ior);
-  pair.core.sigma = sqrt(pair.core.sigma * pair.core.sigma + bent * bent * face.turn);
-  SceneIntersection met = sceneIntersection(origin, pair.core.direction, view);
-  vec3 sum = pair.core.weight * lobeRadiance(pair.core, origin, coreExit.path, met, view);
-  // The rest leaves beside the core and meets the same thing.
-  if (pair.rest.weight > 0.0) sum += pair.rest.weight * lobeRadiance(pair.rest, origin, coreExit.path, met, view);
-  float passed = e.core.weight > 0.0 ? (first.core.weight + first.rest.weight) / e.core.weight : 0.0;
-  return sum * exp(-coreExit.path * body.attenuation) + internallyReflected(face, body, e.core, e.energy, coreExit, passed);
+  Leaving left = leaveGlass(face, body, e, coreExit, tailExit, k);
+  vec3 sum = pairRadiance(left.pair, origin, coreExit.path, view);
+  return sum * exp(-coreExit.path * body.attenuation) + internallyReflected(face, body, e.core, e.energy, coreExit, left.passed);
 }
 
 vec3 refractConvex(GlassFace face, ConvexBody body, SceneView view, Widening k) {

@@ -1,4 +1,4 @@
-// Made by shaders/wgsl/make of 621ea428b51bf6355c24a10e3d33144791fba13ce1cb5aec5e3932fc96d45a8f: do not edit.
+// Made by shaders/wgsl/make of 97970809bf96bbbac313d43375bb37457b0fff6671ec0a233153d5fb7a96d1b9: do not edit.
 struct Tilt {
     p: f32,
     z: f32,
@@ -203,15 +203,23 @@ struct SceneIntersection {
     seen: bool,
 }
 
+struct FaceLayer {
+    layer: i32,
+    side: f32,
+    number: f32,
+}
+
 struct BackFace {
     point: vec3<f32>,
     n: vec3<f32>,
     alpha: f32,
+    number: f32,
     exists: bool,
 }
 
 struct BackFaceExit {
     exit: ConvexExit,
+    number: f32,
     found: bool,
 }
 
@@ -265,6 +273,11 @@ struct Entering {
     energy: f32,
 }
 
+struct Leaving {
+    pair: ComposedPair,
+    passed: f32,
+}
+
 struct WayOut {
     lobe: InnerLobe,
     exit: ConvexExit,
@@ -307,10 +320,12 @@ const LEAVES_NEXT: f32 = 0.65f;
 const EXIT_NOWHERE: f32 = -2f;
 const EXIT_FAR: f32 = 1000000000000000000000000000000f;
 const EXIT_STEPS: i32 = 12i;
-const SCENE_THICK: f32 = 0.1f;
 const SCENE_GUESSES: i32 = 4i;
 const SCENE_STEPS: i32 = 12i;
 const SCENE_SECANTS: i32 = 5i;
+const BACK_FACES: i32 = 0i;
+const SECOND_FRONTS: i32 = 1i;
+const SECOND_BACKS: i32 = 2i;
 const BACK_FACE_STEPS: i32 = 6i;
 const INDEX_MATCHED: f32 = 0.0001f;
 const COMPOSED_WIDEST: f32 = 0.3f;
@@ -322,10 +337,12 @@ const INTERFACE_LOBE_COSINES: i32 = 25i;
 const INTERFACE_LOBE_ALPHAS: i32 = 16i;
 const INTERFACE_SLICES: i32 = 13i;
 const INTERFACE_GREATEST_ETA: f32 = 4f;
+const SMOOTH_ALPHA: f32 = 0.001f;
 const SCATTERED_SEEN: f32 = 0.5f;
 const THIN_WALL_COSINES: i32 = 25i;
 const THIN_WALL_ALPHAS: i32 = 16i;
 const THIN_WALL_SLICES: i32 = 13i;
+const REFLECTIONS_INSIDE: i32 = 3i;
 
 
 fn tilt(v: vec3<f32>) -> Tilt {
@@ -6683,13 +6700,13 @@ fn scenePixel(clip_1: vec4<f32>, size_21: vec2<f32>) -> vec2<f32> {
 
     clip_2 = clip_1;
     size_22 = size_21;
-    let _e31 = clip_2;
-    let _e34 = clip_2;
-    let _e38 = size_22;
-    let _e43 = clip_2;
-    let _e46 = clip_2;
-    let _e50 = size_22;
-    return vec2<f32>(((0.5f + ((0.5f * _e31.x) / _e34.w)) * _e38.x), ((0.5f - ((0.5f * _e43.y) / _e46.w)) * _e50.y));
+    let _e30 = clip_2;
+    let _e33 = clip_2;
+    let _e37 = size_22;
+    let _e42 = clip_2;
+    let _e45 = clip_2;
+    let _e49 = size_22;
+    return vec2<f32>(((0.5f + ((0.5f * _e30.x) / _e33.w)) * _e37.x), ((0.5f - ((0.5f * _e42.y) / _e45.w)) * _e49.y));
 }
 
 fn sceneGuess(origin_4: vec4<f32>, along_10: vec4<f32>, view_11: SceneView) -> SceneIntersection {
@@ -6711,71 +6728,71 @@ fn sceneGuess(origin_4: vec4<f32>, along_10: vec4<f32>, view_11: SceneView) -> S
     view_12 = view_11;
     met_1.seen = false;
     met_1.metres = -1f;
-    let _e37 = origin_5;
-    let _e38 = view_12;
-    let _e40 = scenePixel(_e37, _e38.size);
-    at_15 = _e40;
+    let _e36 = origin_5;
+    let _e37 = view_12;
+    let _e39 = scenePixel(_e36, _e37.size);
+    at_15 = _e39;
     loop {
-        let _e44 = k_22;
-        let _e46 = met_1;
-        if !(((_e44 < SCENE_GUESSES) && !(_e46.seen))) {
+        let _e43 = k_22;
+        let _e45 = met_1;
+        if !(((_e43 < SCENE_GUESSES) && !(_e45.seen))) {
             break;
         }
         {
-            let _e54 = at_15;
-            let _e55 = engineSceneDepth(_e54);
-            depth_7 = _e55;
-            let _e57 = depth_7;
-            sky = (_e57 > 100000000000000000000000000000f);
-            let _e62 = sky;
-            if _e62 {
+            let _e53 = at_15;
+            let _e54 = engineSceneDepth(_e53);
+            depth_7 = _e54;
+            let _e56 = depth_7;
+            sky = (_e56 > 100000000000000000000000000000f);
+            let _e61 = sky;
+            if _e61 {
                 local_77 = -1f;
             } else {
-                let _e65 = depth_7;
-                let _e66 = origin_5;
-                let _e69 = along_11;
-                local_77 = ((_e65 - _e66.w) / _e69.w);
+                let _e64 = depth_7;
+                let _e65 = origin_5;
+                let _e68 = along_11;
+                local_77 = ((_e64 - _e65.w) / _e68.w);
             }
-            let _e73 = local_77;
-            met_1.metres = _e73;
-            let _e74 = along_11;
-            let _e79 = sky;
-            let _e81 = met_1;
-            if (!((_e74.w > 0f)) || (!(_e79) && (_e81.metres < 0f))) {
+            let _e72 = local_77;
+            met_1.metres = _e72;
+            let _e73 = along_11;
+            let _e78 = sky;
+            let _e80 = met_1;
+            if (!((_e73.w > 0f)) || (!(_e78) && (_e80.metres < 0f))) {
                 break;
             }
-            let _e87 = sky;
-            if _e87 {
-                let _e88 = along_11;
-                local_78 = _e88;
+            let _e86 = sky;
+            if _e86 {
+                let _e87 = along_11;
+                local_78 = _e87;
             } else {
-                let _e89 = origin_5;
-                let _e90 = met_1;
-                let _e92 = along_11;
-                local_78 = (_e89 + (_e90.metres * _e92));
+                let _e88 = origin_5;
+                let _e89 = met_1;
+                let _e91 = along_11;
+                local_78 = (_e88 + (_e89.metres * _e91));
             }
-            let _e96 = local_78;
-            there = _e96;
-            let _e98 = there;
-            let _e99 = view_12;
-            let _e101 = scenePixel(_e98, _e99.size);
-            next = _e101;
-            let _e104 = k_22;
-            let _e107 = next;
-            let _e109 = at_15;
-            let _e116 = next;
-            let _e118 = at_15;
-            met_1.seen = (((_e104 > 0i) && (abs((_e107.x - _e109.x)) < 1f)) && (abs((_e116.y - _e118.y)) < 1f));
-            let _e125 = next;
-            at_15 = _e125;
+            let _e95 = local_78;
+            there = _e95;
+            let _e97 = there;
+            let _e98 = view_12;
+            let _e100 = scenePixel(_e97, _e98.size);
+            next = _e100;
+            let _e103 = k_22;
+            let _e106 = next;
+            let _e108 = at_15;
+            let _e115 = next;
+            let _e117 = at_15;
+            met_1.seen = (((_e103 > 0i) && (abs((_e106.x - _e108.x)) < 1f)) && (abs((_e115.y - _e117.y)) < 1f));
+            let _e124 = next;
+            at_15 = _e124;
         }
         continuing {
-            let _e51 = k_22;
-            k_22 = (_e51 + 1i);
+            let _e50 = k_22;
+            k_22 = (_e50 + 1i);
         }
     }
-    let _e126 = met_1;
-    return _e126;
+    let _e125 = met_1;
+    return _e125;
 }
 
 fn sceneShown(origin_6: vec4<f32>, way_4: vec4<f32>) -> f32 {
@@ -6788,38 +6805,38 @@ fn sceneShown(origin_6: vec4<f32>, way_4: vec4<f32>) -> f32 {
 
     origin_7 = origin_6;
     way_5 = way_4;
-    let _e29 = origin_7;
-    let _e31 = origin_7;
-    let _e34 = origin_7;
-    let _e36 = origin_7;
-    let _e39 = origin_7;
-    let _e41 = origin_7;
-    let _e44 = origin_7;
-    let _e46 = origin_7;
-    room_1 = max(vec4<f32>((_e29.w - _e31.x), (_e34.w + _e36.x), (_e39.w - _e41.y), (_e44.w + _e46.y)), vec4(0f));
-    let _e54 = way_5;
-    let _e56 = way_5;
-    let _e59 = way_5;
-    let _e62 = way_5;
-    let _e65 = way_5;
-    let _e67 = way_5;
-    let _e70 = way_5;
-    let _e73 = way_5;
-    loss = vec4<f32>((_e54.x - _e56.w), (-(_e59.x) - _e62.w), (_e65.y - _e67.w), (-(_e70.y) - _e73.w));
-    let _e78 = room_1;
-    let _e79 = loss;
-    let _e80 = room_1;
-    cut = min((_e78 / max(max(_e79, _e80), vec4(0.000000000000000000000000000001f))), vec4(1f));
-    let _e90 = cut;
-    let _e92 = cut;
-    let _e95 = cut;
-    let _e97 = cut;
-    end = min(min(_e90.x, _e92.y), min(_e95.z, _e97.w));
-    let _e102 = end;
-    let _e104 = origin_7;
-    let _e107 = way_5;
-    let _e111 = origin_7;
-    return min(_e102, ((0.99f * _e104.w) / max(-(_e107.w), (0.99f * _e111.w))));
+    let _e28 = origin_7;
+    let _e30 = origin_7;
+    let _e33 = origin_7;
+    let _e35 = origin_7;
+    let _e38 = origin_7;
+    let _e40 = origin_7;
+    let _e43 = origin_7;
+    let _e45 = origin_7;
+    room_1 = max(vec4<f32>((_e28.w - _e30.x), (_e33.w + _e35.x), (_e38.w - _e40.y), (_e43.w + _e45.y)), vec4(0f));
+    let _e53 = way_5;
+    let _e55 = way_5;
+    let _e58 = way_5;
+    let _e61 = way_5;
+    let _e64 = way_5;
+    let _e66 = way_5;
+    let _e69 = way_5;
+    let _e72 = way_5;
+    loss = vec4<f32>((_e53.x - _e55.w), (-(_e58.x) - _e61.w), (_e64.y - _e66.w), (-(_e69.y) - _e72.w));
+    let _e77 = room_1;
+    let _e78 = loss;
+    let _e79 = room_1;
+    cut = min((_e77 / max(max(_e78, _e79), vec4(0.000000000000000000000000000001f))), vec4(1f));
+    let _e89 = cut;
+    let _e91 = cut;
+    let _e94 = cut;
+    let _e96 = cut;
+    end = min(min(_e89.x, _e91.y), min(_e94.z, _e96.w));
+    let _e101 = end;
+    let _e103 = origin_7;
+    let _e106 = way_5;
+    let _e110 = origin_7;
+    return min(_e101, ((0.99f * _e103.w) / max(-(_e106.w), (0.99f * _e110.w))));
 }
 
 fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> SceneIntersection {
@@ -6858,219 +6875,212 @@ fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> S
     var u_18: f32;
     var near: f32;
     var far: f32;
-    var surface_6: bool;
 
     origin_9 = origin_8;
     along_13 = along_12;
     view_14 = view_13;
-    let _e31 = view_14;
-    let _e33 = along_13;
-    way_6 = (_e31.reach * _e33);
-    let _e36 = origin_9;
-    let _e37 = way_6;
-    let _e38 = sceneShown(_e36, _e37);
-    end_1 = _e38;
-    let _e40 = origin_9;
-    let _e41 = end_1;
-    let _e42 = way_6;
-    to = (_e40 + (_e41 * _e42));
-    let _e46 = origin_9;
-    let _e48 = origin_9;
-    let _e52 = origin_9;
-    a_32 = (vec3<f32>(_e46.x, _e48.y, 1f) / vec3(_e52.w));
-    let _e57 = to;
-    let _e59 = to;
-    let _e63 = to;
-    b_22 = (vec3<f32>(_e57.x, _e59.y, 1f) / vec3(_e63.w));
+    let _e30 = view_14;
+    let _e32 = along_13;
+    way_6 = (_e30.reach * _e32);
+    let _e35 = origin_9;
+    let _e36 = way_6;
+    let _e37 = sceneShown(_e35, _e36);
+    end_1 = _e37;
+    let _e39 = origin_9;
+    let _e40 = end_1;
+    let _e41 = way_6;
+    to = (_e39 + (_e40 * _e41));
+    let _e45 = origin_9;
+    let _e47 = origin_9;
+    let _e51 = origin_9;
+    a_32 = (vec3<f32>(_e45.x, _e47.y, 1f) / vec3(_e51.w));
+    let _e56 = to;
+    let _e58 = to;
+    let _e62 = to;
+    b_22 = (vec3<f32>(_e56.x, _e58.y, 1f) / vec3(_e62.w));
     met_2.seen = false;
     met_2.metres = -1f;
     loop {
-        let _e88 = k_23;
-        let _e90 = crossed;
-        if !(((_e88 <= SCENE_STEPS) && !(_e90))) {
+        let _e87 = k_23;
+        let _e89 = crossed;
+        if !(((_e87 <= SCENE_STEPS) && !(_e89))) {
             break;
         }
         {
-            let _e97 = k_23;
-            high_2 = (f32(_e97) / 12f);
-            let _e102 = a_32;
-            let _e103 = b_22;
-            let _e104 = high_2;
-            p_8 = mix(_e102, _e103, vec3(_e104));
-            let _e110 = p_8;
-            let _e114 = view_14;
-            let _e120 = p_8;
-            let _e124 = view_14;
-            let _e129 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e110.x)) * _e114.size.x), ((0.5f - (0.5f * _e120.y)) * _e124.size.y)));
-            depth_8 = _e129;
-            let _e130 = p_8;
-            let _e133 = depth_8;
-            heightHigh = (_e130.z - (1f / _e133));
-            let _e136 = heightHigh;
-            let _e139 = k_23;
-            let _e142 = heightLow;
-            crossed = ((_e136 < 0f) && ((_e139 == 1i) || (_e142 >= 0f)));
-            let _e147 = crossed;
-            if !(_e147) {
+            let _e96 = k_23;
+            high_2 = (f32(_e96) / 12f);
+            let _e101 = a_32;
+            let _e102 = b_22;
+            let _e103 = high_2;
+            p_8 = mix(_e101, _e102, vec3(_e103));
+            let _e109 = p_8;
+            let _e113 = view_14;
+            let _e119 = p_8;
+            let _e123 = view_14;
+            let _e128 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e109.x)) * _e113.size.x), ((0.5f - (0.5f * _e119.y)) * _e123.size.y)));
+            depth_8 = _e128;
+            let _e129 = p_8;
+            let _e132 = depth_8;
+            heightHigh = (_e129.z - (1f / _e132));
+            let _e135 = heightHigh;
+            let _e138 = k_23;
+            let _e141 = heightLow;
+            crossed = ((_e135 < 0f) && ((_e138 == 1i) || (_e141 >= 0f)));
+            let _e146 = crossed;
+            if !(_e146) {
                 {
-                    let _e149 = high_2;
-                    low_7 = _e149;
-                    let _e150 = heightHigh;
-                    heightLow = _e150;
+                    let _e148 = high_2;
+                    low_7 = _e148;
+                    let _e149 = heightHigh;
+                    heightLow = _e149;
                 }
             }
         }
         continuing {
-            let _e94 = k_23;
-            k_23 = (_e94 + 1i);
+            let _e93 = k_23;
+            k_23 = (_e93 + 1i);
         }
     }
-    let _e151 = crossed;
-    if !(_e151) {
+    let _e150 = crossed;
+    if !(_e150) {
         {
-            let _e153 = depth_8;
-            let _e154 = origin_9;
-            let _e157 = along_13;
-            beyond = ((_e153 - _e154.w) / _e157.w);
-            let _e161 = end_1;
-            let _e164 = depth_8;
-            let _e168 = heightHigh;
-            let _e172 = beyond;
-            bordered = ((((_e161 < 1f) && (_e164 < 100000000000000000000000000000f)) && (_e168 >= 0f)) && (_e172 > 0f));
-            let _e178 = bordered;
-            if _e178 {
-                let _e179 = beyond;
-                local_79 = _e179;
+            let _e152 = depth_8;
+            let _e153 = origin_9;
+            let _e156 = along_13;
+            beyond = ((_e152 - _e153.w) / _e156.w);
+            let _e160 = end_1;
+            let _e163 = depth_8;
+            let _e167 = heightHigh;
+            let _e171 = beyond;
+            bordered = ((((_e160 < 1f) && (_e163 < 100000000000000000000000000000f)) && (_e167 >= 0f)) && (_e171 > 0f));
+            let _e177 = bordered;
+            if _e177 {
+                let _e178 = beyond;
+                local_79 = _e178;
             } else {
                 local_79 = -1f;
             }
-            let _e183 = local_79;
-            met_2.metres = _e183;
-            let _e185 = bordered;
-            let _e186 = heightHigh;
-            let _e189 = depth_8;
-            let _e193 = along_13;
-            met_2.seen = (_e185 || (((_e186 >= 0f) && (_e189 > 100000000000000000000000000000f)) && (_e193.w > 0f)));
-            let _e199 = met_2;
-            return _e199;
+            let _e182 = local_79;
+            met_2.metres = _e182;
+            let _e184 = bordered;
+            let _e185 = heightHigh;
+            let _e188 = depth_8;
+            let _e192 = along_13;
+            met_2.seen = (_e184 || (((_e185 >= 0f) && (_e188 > 100000000000000000000000000000f)) && (_e192.w > 0f)));
+            let _e198 = met_2;
+            return _e198;
         }
     }
-    let _e200 = heightLow;
-    let _e201 = heightHigh;
-    gap = max((_e200 - _e201), 0.000000000000000000000000000001f);
+    let _e199 = heightLow;
+    let _e200 = heightHigh;
+    gap = max((_e199 - _e200), 0.000000000000000000000000000001f);
     loop {
-        let _e208 = k_24;
-        if !((_e208 < SCENE_SECANTS)) {
+        let _e207 = k_24;
+        if !((_e207 < SCENE_SECANTS)) {
             break;
         }
         {
-            let _e214 = k_24;
-            if ((_e214 % 2i) == 0i) {
+            let _e213 = k_24;
+            if ((_e213 % 2i) == 0i) {
                 local_80 = 0.5f;
             } else {
+                let _e219 = heightLow;
                 let _e220 = heightLow;
-                let _e221 = heightLow;
-                let _e222 = heightHigh;
-                local_80 = (_e220 / max((_e221 - _e222), 0.000000000000000000000000000001f));
+                let _e221 = heightHigh;
+                local_80 = (_e219 / max((_e220 - _e221), 0.000000000000000000000000000001f));
             }
-            let _e228 = local_80;
-            share_3 = _e228;
-            let _e230 = low_7;
-            let _e231 = high_2;
-            let _e232 = share_3;
-            u_17 = mix(_e230, _e231, clamp(_e232, 0f, 1f));
-            let _e238 = a_32;
-            let _e239 = b_22;
-            let _e240 = u_17;
-            p_9 = mix(_e238, _e239, vec3(_e240));
-            let _e246 = p_9;
-            let _e250 = view_14;
-            let _e256 = p_9;
-            let _e260 = view_14;
-            let _e265 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e246.x)) * _e250.size.x), ((0.5f - (0.5f * _e256.y)) * _e260.size.y)));
-            depth_8 = _e265;
-            let _e266 = p_9;
-            let _e269 = depth_8;
-            height_2 = (_e266.z - (1f / _e269));
-            let _e273 = height_2;
-            front = (_e273 >= 0f);
-            let _e277 = front;
-            if _e277 {
-                let _e278 = u_17;
+            let _e227 = local_80;
+            share_3 = _e227;
+            let _e229 = low_7;
+            let _e230 = high_2;
+            let _e231 = share_3;
+            u_17 = mix(_e229, _e230, clamp(_e231, 0f, 1f));
+            let _e237 = a_32;
+            let _e238 = b_22;
+            let _e239 = u_17;
+            p_9 = mix(_e237, _e238, vec3(_e239));
+            let _e245 = p_9;
+            let _e249 = view_14;
+            let _e255 = p_9;
+            let _e259 = view_14;
+            let _e264 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e245.x)) * _e249.size.x), ((0.5f - (0.5f * _e255.y)) * _e259.size.y)));
+            depth_8 = _e264;
+            let _e265 = p_9;
+            let _e268 = depth_8;
+            height_2 = (_e265.z - (1f / _e268));
+            let _e272 = height_2;
+            front = (_e272 >= 0f);
+            let _e276 = front;
+            if _e276 {
+                let _e277 = u_17;
+                local_81 = _e277;
+            } else {
+                let _e278 = low_7;
                 local_81 = _e278;
-            } else {
-                let _e279 = low_7;
-                local_81 = _e279;
             }
-            let _e281 = local_81;
-            low_7 = _e281;
-            let _e282 = front;
-            if _e282 {
-                let _e283 = height_2;
+            let _e280 = local_81;
+            low_7 = _e280;
+            let _e281 = front;
+            if _e281 {
+                let _e282 = height_2;
+                local_82 = _e282;
+            } else {
+                let _e283 = heightLow;
                 local_82 = _e283;
-            } else {
-                let _e284 = heightLow;
-                local_82 = _e284;
             }
-            let _e286 = local_82;
-            heightLow = _e286;
-            let _e287 = front;
-            if _e287 {
-                let _e288 = high_2;
+            let _e285 = local_82;
+            heightLow = _e285;
+            let _e286 = front;
+            if _e286 {
+                let _e287 = high_2;
+                local_83 = _e287;
+            } else {
+                let _e288 = u_17;
                 local_83 = _e288;
-            } else {
-                let _e289 = u_17;
-                local_83 = _e289;
             }
-            let _e291 = local_83;
-            high_2 = _e291;
-            let _e292 = front;
-            if _e292 {
-                let _e293 = heightHigh;
+            let _e290 = local_83;
+            high_2 = _e290;
+            let _e291 = front;
+            if _e291 {
+                let _e292 = heightHigh;
+                local_84 = _e292;
+            } else {
+                let _e293 = height_2;
                 local_84 = _e293;
-            } else {
-                let _e294 = height_2;
-                local_84 = _e294;
             }
-            let _e296 = local_84;
-            heightHigh = _e296;
+            let _e295 = local_84;
+            heightHigh = _e295;
         }
         continuing {
-            let _e211 = k_24;
-            k_24 = (_e211 + 1i);
+            let _e210 = k_24;
+            k_24 = (_e210 + 1i);
         }
     }
-    let _e297 = low_7;
-    let _e298 = high_2;
+    let _e296 = low_7;
+    let _e297 = high_2;
+    let _e298 = heightLow;
     let _e299 = heightLow;
-    let _e300 = heightLow;
-    let _e301 = heightHigh;
-    u_18 = mix(_e297, _e298, (_e299 / max((_e300 - _e301), 0.000000000000000000000000000001f)));
-    let _e309 = u_18;
-    let _e311 = origin_9;
-    near = ((1f - _e309) / _e311.w);
-    let _e315 = u_18;
-    let _e316 = to;
-    far = (_e315 / _e316.w);
-    let _e321 = view_14;
-    let _e323 = end_1;
-    let _e325 = far;
-    let _e327 = near;
-    let _e328 = far;
-    met_2.metres = (((_e321.reach * _e323) * _e325) / (_e327 + _e328));
+    let _e300 = heightHigh;
+    u_18 = mix(_e296, _e297, (_e298 / max((_e299 - _e300), 0.000000000000000000000000000001f)));
+    let _e308 = u_18;
+    let _e310 = origin_9;
+    near = ((1f - _e308) / _e310.w);
+    let _e314 = u_18;
+    let _e315 = to;
+    far = (_e314 / _e315.w);
+    let _e320 = view_14;
+    let _e322 = end_1;
+    let _e324 = far;
+    let _e326 = near;
+    let _e327 = far;
+    met_2.metres = (((_e320.reach * _e322) * _e324) / (_e326 + _e327));
     let _e331 = heightLow;
     let _e332 = heightHigh;
     let _e335 = gap;
     let _e338 = gap;
-    surface_6 = (((_e331 - _e332) < (0.5f * _e335)) || (_e338 < 0.000001f));
-    let _e344 = surface_6;
-    let _e346 = near;
-    let _e347 = far;
-    let _e352 = depth_8;
-    let _e354 = view_14;
-    met_2.seen = (_e344 || (((1f / max((_e346 + _e347), 0.000000000000000000000000000001f)) - _e352) < (SCENE_THICK * _e354.reach)));
-    let _e359 = met_2;
-    return _e359;
+    met_2.seen = (((_e331 - _e332) < (0.5f * _e335)) || (_e338 < 0.000001f));
+    let _e342 = met_2;
+    return _e342;
 }
 
 fn sceneIntersection(origin_10: vec3<f32>, direction_18: vec3<f32>, view_15: SceneView) -> SceneIntersection {
@@ -7084,32 +7094,34 @@ fn sceneIntersection(origin_10: vec3<f32>, direction_18: vec3<f32>, view_15: Sce
     origin_11 = origin_10;
     direction_19 = direction_18;
     view_16 = view_15;
-    let _e31 = view_16;
-    let _e33 = origin_11;
-    from_ = (_e31.clipFromWorld * vec4<f32>(_e33.x, _e33.y, _e33.z, 1f));
-    let _e41 = view_16;
-    let _e43 = direction_19;
-    along_14 = (_e41.clipFromWorld * vec4<f32>(_e43.x, _e43.y, _e43.z, 0f));
-    let _e51 = from_;
-    let _e52 = along_14;
-    let _e53 = view_16;
-    let _e54 = sceneGuess(_e51, _e52, _e53);
-    met_3 = _e54;
-    let _e56 = met_3;
-    if !(_e56.seen) {
-        let _e59 = from_;
-        let _e60 = along_14;
-        let _e61 = view_16;
-        let _e62 = sceneMarch(_e59, _e60, _e61);
-        met_3 = _e62;
+    let _e30 = view_16;
+    let _e32 = origin_11;
+    from_ = (_e30.clipFromWorld * vec4<f32>(_e32.x, _e32.y, _e32.z, 1f));
+    let _e40 = view_16;
+    let _e42 = direction_19;
+    along_14 = (_e40.clipFromWorld * vec4<f32>(_e42.x, _e42.y, _e42.z, 0f));
+    let _e50 = from_;
+    let _e51 = along_14;
+    let _e52 = view_16;
+    let _e53 = sceneGuess(_e50, _e51, _e52);
+    met_3 = _e53;
+    let _e55 = met_3;
+    if !(_e55.seen) {
+        let _e58 = from_;
+        let _e59 = along_14;
+        let _e60 = view_16;
+        let _e61 = sceneMarch(_e58, _e59, _e60);
+        met_3 = _e61;
     }
-    let _e63 = met_3;
-    return _e63;
+    let _e62 = met_3;
+    return _e62;
 }
 
-fn engineBackFace(at_16: vec2<f32>) -> vec4<f32> {
+fn engineFace(layer: i32, at_16: vec2<f32>) -> vec4<f32> {
+    var layer_1: i32;
     var at_17: vec2<f32>;
 
+    layer_1 = layer;
     at_17 = at_16;
     return vec4(0f);
 }
@@ -7125,97 +7137,110 @@ fn pixelStep(view_17: SceneView, axis_1: i32) -> vec3<f32> {
 
     view_18 = view_17;
     axis_2 = axis_1;
-    let _e35 = view_18.clipFromWorld[0][3];
-    let _e41 = view_18.clipFromWorld[1][3];
-    let _e47 = view_18.clipFromWorld[2][3];
-    forward = vec3<f32>(_e35, _e41, _e47);
-    let _e50 = axis_2;
-    if (_e50 == 0i) {
-        let _e58 = view_18.clipFromWorld[0][0];
-        let _e64 = view_18.clipFromWorld[1][0];
-        let _e70 = view_18.clipFromWorld[2][0];
-        local_85 = vec3<f32>(_e58, _e64, _e70);
+    let _e37 = view_18.clipFromWorld[0][3];
+    let _e43 = view_18.clipFromWorld[1][3];
+    let _e49 = view_18.clipFromWorld[2][3];
+    forward = vec3<f32>(_e37, _e43, _e49);
+    let _e52 = axis_2;
+    if (_e52 == 0i) {
+        let _e60 = view_18.clipFromWorld[0][0];
+        let _e66 = view_18.clipFromWorld[1][0];
+        let _e72 = view_18.clipFromWorld[2][0];
+        local_85 = vec3<f32>(_e60, _e66, _e72);
     } else {
-        let _e77 = view_18.clipFromWorld[0][1];
-        let _e83 = view_18.clipFromWorld[1][1];
-        let _e89 = view_18.clipFromWorld[2][1];
-        local_85 = vec3<f32>(_e77, _e83, _e89);
+        let _e79 = view_18.clipFromWorld[0][1];
+        let _e85 = view_18.clipFromWorld[1][1];
+        let _e91 = view_18.clipFromWorld[2][1];
+        local_85 = vec3<f32>(_e79, _e85, _e91);
     }
-    let _e92 = local_85;
-    row = _e92;
-    let _e94 = row;
-    let _e95 = row;
-    let _e96 = forward;
+    let _e94 = local_85;
+    row = _e94;
+    let _e96 = row;
+    let _e97 = row;
     let _e98 = forward;
-    across_11 = (_e94 - (dot(_e95, _e96) * _e98));
-    let _e102 = axis_2;
-    if (_e102 == 0i) {
-        let _e106 = view_18;
-        local_86 = (2f / _e106.size.x);
+    let _e100 = forward;
+    across_11 = (_e96 - (dot(_e97, _e98) * _e100));
+    let _e104 = axis_2;
+    if (_e104 == 0i) {
+        let _e108 = view_18;
+        local_86 = (2f / _e108.size.x);
     } else {
-        let _e112 = view_18;
-        local_86 = (-2f / _e112.size.y);
+        let _e114 = view_18;
+        local_86 = (-2f / _e114.size.y);
     }
-    let _e117 = local_86;
-    let _e118 = across_11;
-    let _e119 = across_11;
-    let _e122 = across_11;
-    return ((_e117 / dot(_e118, _e119)) * _e122);
+    let _e119 = local_86;
+    let _e120 = across_11;
+    let _e121 = across_11;
+    let _e124 = across_11;
+    return ((_e119 / dot(_e120, _e121)) * _e124);
 }
 
-fn backFaceAt(at_18: vec2<f32>, p_10: vec3<f32>, w_27: f32, number: f32, view_19: SceneView) -> BackFace {
+fn backFaceAt(at_18: vec2<f32>, p_10: vec3<f32>, w_27: f32, which: FaceLayer, view_19: SceneView) -> BackFace {
     var at_19: vec2<f32>;
     var p_11: vec3<f32>;
     var w_28: f32;
-    var number_1: f32;
+    var which_1: FaceLayer;
     var view_20: SceneView;
     var texel_4: vec4<f32>;
     var off_1: vec2<f32>;
     var face_6: BackFace;
+    var local_87: bool;
 
     at_19 = at_18;
     p_11 = p_10;
     w_28 = w_27;
-    number_1 = number;
+    which_1 = which;
     view_20 = view_19;
-    let _e36 = at_19;
-    let _e37 = engineBackFace(_e36);
-    texel_4 = _e37;
-    let _e39 = at_19;
-    let _e44 = at_19;
-    off_1 = ((floor(_e39) + vec2(0.5f)) - _e44);
-    let _e49 = view_20;
-    let _e51 = p_11;
-    let _e52 = view_20;
-    let _e55 = texel_4;
-    let _e57 = w_28;
-    let _e61 = texel_4;
-    let _e63 = off_1;
-    let _e65 = view_20;
-    let _e67 = pixelStep(_e65, 0i);
-    let _e69 = off_1;
-    let _e71 = view_20;
-    let _e73 = pixelStep(_e71, 1i);
-    face_6.point = ((_e49.eye + ((_e51 - _e52.eye) * (_e55.z / _e57))) + (_e61.z * ((_e63.x * _e67) + (_e69.y * _e73))));
-    let _e79 = texel_4;
-    let _e81 = texel_4;
-    let _e84 = octDecode(vec2<f32>(_e79.x, _e81.y));
-    face_6.n = _e84;
+    let _e38 = which_1;
+    let _e40 = at_19;
+    let _e41 = engineFace(_e38.layer, _e40);
+    texel_4 = _e41;
+    let _e43 = at_19;
+    let _e48 = at_19;
+    off_1 = ((floor(_e43) + vec2(0.5f)) - _e48);
+    let _e53 = view_20;
+    let _e55 = p_11;
+    let _e56 = view_20;
+    let _e59 = texel_4;
+    let _e61 = w_28;
+    let _e65 = texel_4;
+    let _e67 = off_1;
+    let _e69 = view_20;
+    let _e71 = pixelStep(_e69, 0i);
+    let _e73 = off_1;
+    let _e75 = view_20;
+    let _e77 = pixelStep(_e75, 1i);
+    face_6.point = ((_e53.eye + ((_e55 - _e56.eye) * (_e59.z / _e61))) + (_e65.z * ((_e67.x * _e71) + (_e73.y * _e77))));
+    let _e83 = which_1;
+    let _e85 = texel_4;
     let _e87 = texel_4;
-    face_6.alpha = (2f * fract(_e87.w));
-    let _e92 = texel_4;
-    let _e95 = number_1;
-    face_6.exists = (floor(_e92.w) == _e95);
-    let _e97 = face_6;
-    return _e97;
+    let _e90 = octDecode(vec2<f32>(_e85.x, _e87.y));
+    face_6.n = (_e83.side * _e90);
+    let _e94 = texel_4;
+    face_6.alpha = (2f * fract(_e94.w));
+    let _e99 = texel_4;
+    face_6.number = floor(_e99.w);
+    let _e103 = which_1;
+    if (_e103.number < 0f) {
+        let _e107 = face_6;
+        local_87 = (_e107.number > 0f);
+    } else {
+        let _e111 = face_6;
+        let _e113 = which_1;
+        local_87 = (_e111.number == _e113.number);
+    }
+    let _e117 = local_87;
+    face_6.exists = _e117;
+    let _e118 = face_6;
+    return _e118;
 }
 
-fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, w_29: f32, number_2: f32, view_21: SceneView) -> BackFace {
+fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, w_29: f32, which_2: FaceLayer, view_21: SceneView) -> BackFace {
     var own_1: BackFace;
     var at_21: vec2<f32>;
     var p_13: vec3<f32>;
     var w_30: f32;
-    var number_3: f32;
+    var which_3: FaceLayer;
     var view_22: SceneView;
     var beside_5: BackFace;
 
@@ -7223,36 +7248,36 @@ fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, w_29: f32, n
     at_21 = at_20;
     p_13 = p_12;
     w_30 = w_29;
-    number_3 = number_2;
+    which_3 = which_2;
     view_22 = view_21;
-    let _e38 = at_21;
-    let _e39 = p_13;
-    let _e40 = w_30;
-    let _e41 = number_3;
-    let _e42 = view_22;
-    let _e43 = backFaceAt(_e38, _e39, _e40, _e41, _e42);
-    beside_5 = _e43;
-    let _e45 = beside_5;
-    let _e47 = own_1;
+    let _e40 = at_21;
+    let _e41 = p_13;
+    let _e42 = w_30;
+    let _e43 = which_3;
+    let _e44 = view_22;
+    let _e45 = backFaceAt(_e40, _e41, _e42, _e43, _e44);
+    beside_5 = _e45;
+    let _e47 = beside_5;
     let _e49 = own_1;
-    let _e51 = beside_5;
+    let _e51 = own_1;
     let _e53 = beside_5;
-    let _e55 = exitSame(_e47.point, _e49.n, _e51.point, _e53.n);
-    if (_e45.exists && _e55) {
-        let _e57 = beside_5;
-        return _e57;
+    let _e55 = beside_5;
+    let _e57 = exitSame(_e49.point, _e51.n, _e53.point, _e55.n);
+    if (_e47.exists && _e57) {
+        let _e59 = beside_5;
+        return _e59;
     }
-    let _e58 = own_1;
-    return _e58;
+    let _e60 = own_1;
+    return _e60;
 }
 
-fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec3<f32>, w_31: f32, number_4: f32, origin_12: vec3<f32>, direction_20: vec3<f32>, view_23: SceneView) -> BackFaceExit {
+fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec3<f32>, w_31: f32, which_4: FaceLayer, origin_12: vec3<f32>, direction_20: vec3<f32>, view_23: SceneView) -> BackFaceExit {
     var face_8: BackFace;
     var at_23: vec2<f32>;
     var hit_1: vec2<f32>;
     var p_15: vec3<f32>;
     var w_32: f32;
-    var number_5: f32;
+    var which_5: FaceLayer;
     var origin_13: vec3<f32>;
     var direction_21: vec3<f32>;
     var view_24: SceneView;
@@ -7270,87 +7295,89 @@ fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec
     hit_1 = hit;
     p_15 = p_14;
     w_32 = w_31;
-    number_5 = number_4;
+    which_5 = which_4;
     origin_13 = origin_12;
     direction_21 = direction_20;
     view_24 = view_23;
-    let _e44 = view_24;
-    let _e46 = pixelStep(_e44, 0i);
-    stepX_2 = _e46;
-    let _e48 = view_24;
-    let _e50 = pixelStep(_e48, 1i);
-    stepY_2 = _e50;
-    let _e52 = face_8;
-    let _e53 = at_23;
-    let _e58 = p_15;
-    let _e59 = w_32;
-    let _e60 = stepX_2;
-    let _e63 = w_32;
-    let _e64 = number_5;
-    let _e65 = view_24;
-    let _e66 = backFaceBeside(_e52, (_e53 + vec2<f32>(1f, 0f)), (_e58 + (_e59 * _e60)), _e63, _e64, _e65);
-    right_2 = _e66;
-    let _e68 = face_8;
-    let _e69 = at_23;
-    let _e74 = p_15;
-    let _e75 = w_32;
-    let _e76 = stepY_2;
-    let _e79 = w_32;
-    let _e80 = number_5;
-    let _e81 = view_24;
-    let _e82 = backFaceBeside(_e68, (_e69 + vec2<f32>(0f, 1f)), (_e74 + (_e75 * _e76)), _e79, _e80, _e81);
-    below_6 = _e82;
-    let _e84 = hit_1;
-    let _e85 = at_23;
-    off_2 = ((_e84 - floor(_e85)) - vec2(0.5f));
-    let _e96 = face_8;
-    let _e98 = off_2;
-    let _e100 = right_2;
-    let _e102 = face_8;
-    let _e107 = off_2;
-    let _e109 = below_6;
-    let _e111 = face_8;
-    found_2.exit.surface.n = normalize(((_e96.n + (_e98.x * (_e100.n - _e102.n))) + (_e107.y * (_e109.n - _e111.n))));
-    let _e120 = face_8;
-    found_2.exit.surface.alpha = _e120.alpha;
-    let _e124 = origin_13;
-    let _e125 = direction_21;
-    let _e126 = face_8;
+    let _e46 = view_24;
+    let _e48 = pixelStep(_e46, 0i);
+    stepX_2 = _e48;
+    let _e50 = view_24;
+    let _e52 = pixelStep(_e50, 1i);
+    stepY_2 = _e52;
+    let _e54 = face_8;
+    let _e55 = at_23;
+    let _e60 = p_15;
+    let _e61 = w_32;
+    let _e62 = stepX_2;
+    let _e65 = w_32;
+    let _e66 = which_5;
+    let _e67 = view_24;
+    let _e68 = backFaceBeside(_e54, (_e55 + vec2<f32>(1f, 0f)), (_e60 + (_e61 * _e62)), _e65, _e66, _e67);
+    right_2 = _e68;
+    let _e70 = face_8;
+    let _e71 = at_23;
+    let _e76 = p_15;
+    let _e77 = w_32;
+    let _e78 = stepY_2;
+    let _e81 = w_32;
+    let _e82 = which_5;
+    let _e83 = view_24;
+    let _e84 = backFaceBeside(_e70, (_e71 + vec2<f32>(0f, 1f)), (_e76 + (_e77 * _e78)), _e81, _e82, _e83);
+    below_6 = _e84;
+    let _e86 = hit_1;
+    let _e87 = at_23;
+    off_2 = ((_e86 - floor(_e87)) - vec2(0.5f));
+    let _e98 = face_8;
+    let _e100 = off_2;
+    let _e102 = right_2;
+    let _e104 = face_8;
+    let _e109 = off_2;
+    let _e111 = below_6;
+    let _e113 = face_8;
+    found_2.exit.surface.n = normalize(((_e98.n + (_e100.x * (_e102.n - _e104.n))) + (_e109.y * (_e111.n - _e113.n))));
+    let _e122 = face_8;
+    found_2.exit.surface.alpha = _e122.alpha;
+    let _e126 = origin_13;
+    let _e127 = direction_21;
     let _e128 = face_8;
-    let _e130 = exitPlane(_e124, _e125, _e126.point, _e128.n);
-    found_2.exit.path = _e130;
-    let _e131 = direction_21;
-    let _e132 = found_2;
-    cosTheta_38 = dot(_e131, _e132.exit.surface.n);
-    let _e138 = face_8;
-    let _e140 = direction_21;
-    let _e141 = right_2;
+    let _e130 = face_8;
+    let _e132 = exitPlane(_e126, _e127, _e128.point, _e130.n);
+    found_2.exit.path = _e132;
+    let _e134 = face_8;
+    found_2.number = _e134.number;
+    let _e136 = direction_21;
+    let _e137 = found_2;
+    cosTheta_38 = dot(_e136, _e137.exit.surface.n);
     let _e143 = face_8;
+    let _e145 = direction_21;
     let _e146 = right_2;
     let _e148 = face_8;
-    let _e151 = below_6;
+    let _e151 = right_2;
     let _e153 = face_8;
     let _e156 = below_6;
     let _e158 = face_8;
-    let _e161 = exitCurvature(_e138.n, _e140, (_e141.point - _e143.point), (_e146.n - _e148.n), (_e151.point - _e153.point), (_e156.n - _e158.n));
-    curvature_4 = _e161;
-    let _e166 = cosTheta_38;
-    let _e167 = found_2;
-    let _e170 = curvature_4;
-    let _e171 = exitTurn(_e166, _e167.exit.path, _e170);
-    found_2.exit.surface.turn = _e171;
-    let _e173 = cosTheta_38;
-    found_2.found = (_e173 > 0f);
-    let _e176 = found_2;
-    return _e176;
+    let _e161 = below_6;
+    let _e163 = face_8;
+    let _e166 = exitCurvature(_e143.n, _e145, (_e146.point - _e148.point), (_e151.n - _e153.n), (_e156.point - _e158.point), (_e161.n - _e163.n));
+    curvature_4 = _e166;
+    let _e171 = cosTheta_38;
+    let _e172 = found_2;
+    let _e175 = curvature_4;
+    let _e176 = exitTurn(_e171, _e172.exit.path, _e175);
+    found_2.exit.surface.turn = _e176;
+    let _e178 = cosTheta_38;
+    found_2.found = (_e178 > 0f);
+    let _e181 = found_2;
+    return _e181;
 }
 
-fn backFaceExit(origin_14: vec3<f32>, direction_22: vec3<f32>, first_6: f32, eta_44: f32, number_6: f32, view_25: SceneView) -> BackFaceExit {
+fn backFaceExit(origin_14: vec3<f32>, direction_22: vec3<f32>, first_6: f32, eta_44: f32, which_6: FaceLayer, view_25: SceneView) -> BackFaceExit {
     var origin_15: vec3<f32>;
     var direction_23: vec3<f32>;
     var first_7: f32;
     var eta_45: f32;
-    var number_7: f32;
+    var which_7: FaceLayer;
     var view_26: SceneView;
     var none: BackFaceExit;
     var inside_2: f32 = 0f;
@@ -7371,131 +7398,132 @@ fn backFaceExit(origin_14: vec3<f32>, direction_22: vec3<f32>, first_6: f32, eta
     direction_23 = direction_22;
     first_7 = first_6;
     eta_45 = eta_44;
-    number_7 = number_6;
+    which_7 = which_6;
     view_26 = view_25;
-    let _e42 = direction_23;
-    none.exit.surface.n = _e42;
+    let _e44 = direction_23;
+    none.exit.surface.n = _e44;
     none.exit.surface.alpha = 0f;
     none.exit.surface.turn = vec2(0f);
     none.exit.path = 0f;
-    let _e58 = eta_45;
-    none.exit.surface.eta = _e58;
+    let _e60 = eta_45;
+    none.exit.surface.eta = _e60;
+    none.number = 0f;
     none.found = false;
-    let _e63 = first_7;
-    t_29 = _e63;
+    let _e67 = first_7;
+    t_29 = _e67;
     loop {
-        let _e67 = k_25;
-        if !((_e67 < BACK_FACE_STEPS)) {
+        let _e71 = k_25;
+        if !((_e71 < BACK_FACE_STEPS)) {
             break;
         }
         {
-            let _e73 = origin_15;
-            let _e74 = t_29;
-            let _e75 = direction_23;
-            p_16 = (_e73 + (_e74 * _e75));
-            let _e79 = view_26;
-            let _e81 = p_16;
-            clip_3 = (_e79.clipFromWorld * vec4<f32>(_e81.x, _e81.y, _e81.z, 1f));
-            let _e89 = clip_3;
-            if !((_e89.w > 0f)) {
-                let _e94 = none;
-                return _e94;
+            let _e77 = origin_15;
+            let _e78 = t_29;
+            let _e79 = direction_23;
+            p_16 = (_e77 + (_e78 * _e79));
+            let _e83 = view_26;
+            let _e85 = p_16;
+            clip_3 = (_e83.clipFromWorld * vec4<f32>(_e85.x, _e85.y, _e85.z, 1f));
+            let _e93 = clip_3;
+            if !((_e93.w > 0f)) {
+                let _e98 = none;
+                return _e98;
             }
-            let _e95 = clip_3;
-            let _e96 = view_26;
-            let _e98 = scenePixel(_e95, _e96.size);
-            at_24 = _e98;
-            let _e100 = at_24;
-            let _e101 = p_16;
-            let _e102 = clip_3;
-            let _e104 = number_7;
-            let _e105 = view_26;
-            let _e106 = backFaceAt(_e100, _e101, _e102.w, _e104, _e105);
-            face_9 = _e106;
-            let _e108 = origin_15;
-            let _e109 = direction_23;
-            let _e110 = face_9;
-            let _e112 = face_9;
-            let _e114 = exitPlane(_e108, _e109, _e110.point, _e112.n);
-            met_4 = _e114;
+            let _e99 = clip_3;
+            let _e100 = view_26;
+            let _e102 = scenePixel(_e99, _e100.size);
+            at_24 = _e102;
+            let _e104 = at_24;
+            let _e105 = p_16;
+            let _e106 = clip_3;
+            let _e108 = which_7;
+            let _e109 = view_26;
+            let _e110 = backFaceAt(_e104, _e105, _e106.w, _e108, _e109);
+            face_9 = _e110;
+            let _e112 = origin_15;
+            let _e113 = direction_23;
+            let _e114 = face_9;
             let _e116 = face_9;
-            let _e118 = direction_23;
-            let _e119 = face_9;
-            let _e125 = met_4;
-            meets = ((_e116.exists && (dot(_e118, _e119.n) > 0f)) && (_e125 > 0f));
-            let _e130 = k_25;
-            let _e133 = meets;
-            let _e136 = face_9;
-            if (((_e130 == 0i) && !(_e133)) && _e136.exists) {
+            let _e118 = exitPlane(_e112, _e113, _e114.point, _e116.n);
+            met_4 = _e118;
+            let _e120 = face_9;
+            let _e122 = direction_23;
+            let _e123 = face_9;
+            let _e129 = met_4;
+            meets = ((_e120.exists && (dot(_e122, _e123.n) > 0f)) && (_e129 > 0f));
+            let _e134 = k_25;
+            let _e137 = meets;
+            let _e140 = face_9;
+            if (((_e134 == 0i) && !(_e137)) && _e140.exists) {
                 {
-                    let _e139 = face_9;
-                    let _e141 = p_16;
-                    t_29 = length((_e139.point - _e141));
+                    let _e143 = face_9;
+                    let _e145 = p_16;
+                    t_29 = length((_e143.point - _e145));
                     continue;
                 }
             }
-            let _e144 = k_25;
-            let _e147 = meets;
-            if ((_e144 == 0i) && !(_e147)) {
-                let _e150 = none;
-                return _e150;
-            }
+            let _e148 = k_25;
             let _e151 = meets;
-            if !(_e151) {
+            if ((_e148 == 0i) && !(_e151)) {
+                let _e154 = none;
+                return _e154;
+            }
+            let _e155 = meets;
+            if !(_e155) {
                 {
-                    let _e154 = inside_2;
-                    let _e155 = t_29;
-                    t_29 = (0.5f * (_e154 + _e155));
+                    let _e158 = inside_2;
+                    let _e159 = t_29;
+                    t_29 = (0.5f * (_e158 + _e159));
                     continue;
                 }
             }
-            let _e158 = view_26;
-            let _e160 = origin_15;
-            let _e161 = met_4;
-            let _e162 = direction_23;
-            let _e164 = (_e160 + (_e161 * _e162));
-            there_1 = (_e158.clipFromWorld * vec4<f32>(_e164.x, _e164.y, _e164.z, 1f));
-            let _e172 = there_1;
-            let _e173 = view_26;
-            let _e175 = scenePixel(_e172, _e173.size);
-            hit_2 = _e175;
-            let _e177 = hit_2;
-            let _e178 = at_24;
-            moved = (_e177 - _e178);
-            let _e181 = there_1;
-            let _e185 = moved;
-            let _e186 = moved;
-            if ((_e181.w > 0f) && (dot(_e185, _e186) < 0.5f)) {
+            let _e162 = view_26;
+            let _e164 = origin_15;
+            let _e165 = met_4;
+            let _e166 = direction_23;
+            let _e168 = (_e164 + (_e165 * _e166));
+            there_1 = (_e162.clipFromWorld * vec4<f32>(_e168.x, _e168.y, _e168.z, 1f));
+            let _e176 = there_1;
+            let _e177 = view_26;
+            let _e179 = scenePixel(_e176, _e177.size);
+            hit_2 = _e179;
+            let _e181 = hit_2;
+            let _e182 = at_24;
+            moved = (_e181 - _e182);
+            let _e185 = there_1;
+            let _e189 = moved;
+            let _e190 = moved;
+            if ((_e185.w > 0f) && (dot(_e189, _e190) < 0.5f)) {
                 {
-                    let _e191 = face_9;
-                    let _e192 = at_24;
-                    let _e193 = hit_2;
-                    let _e194 = p_16;
-                    let _e195 = clip_3;
-                    let _e197 = number_7;
-                    let _e198 = origin_15;
-                    let _e199 = direction_23;
-                    let _e200 = view_26;
-                    let _e201 = backFaceBetween(_e191, _e192, _e193, _e194, _e195.w, _e197, _e198, _e199, _e200);
-                    found_3 = _e201;
-                    let _e206 = eta_45;
-                    found_3.exit.surface.eta = _e206;
-                    let _e207 = found_3;
-                    return _e207;
+                    let _e195 = face_9;
+                    let _e196 = at_24;
+                    let _e197 = hit_2;
+                    let _e198 = p_16;
+                    let _e199 = clip_3;
+                    let _e201 = which_7;
+                    let _e202 = origin_15;
+                    let _e203 = direction_23;
+                    let _e204 = view_26;
+                    let _e205 = backFaceBetween(_e195, _e196, _e197, _e198, _e199.w, _e201, _e202, _e203, _e204);
+                    found_3 = _e205;
+                    let _e210 = eta_45;
+                    found_3.exit.surface.eta = _e210;
+                    let _e211 = found_3;
+                    return _e211;
                 }
             }
-            let _e208 = t_29;
-            inside_2 = _e208;
-            let _e209 = met_4;
-            t_29 = _e209;
+            let _e212 = t_29;
+            inside_2 = _e212;
+            let _e213 = met_4;
+            t_29 = _e213;
         }
         continuing {
-            let _e70 = k_25;
-            k_25 = (_e70 + 1i);
+            let _e74 = k_25;
+            k_25 = (_e74 + 1i);
         }
     }
-    let _e210 = none;
-    return _e210;
+    let _e214 = none;
+    return _e214;
 }
 
 fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: f32, sigma_8: f32, weight: f32, energy_1: f32) -> ComposedLobe {
@@ -7513,7 +7541,7 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     var t_30: vec3<f32>;
     var d_18: vec2<f32>;
     var l_4: vec2<f32>;
-    var local_87: f32;
+    var local_88: f32;
     var h_15: vec2<f32>;
     var bend: f32;
     var ci: f32;
@@ -7526,7 +7554,7 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     var sigma2_: f32;
     var inPlane: f32;
     var outOfPlane: f32;
-    var local_88: f32;
+    var local_89: f32;
     var carriedInPlane: f32;
 
     inner_3 = inner_2;
@@ -7536,225 +7564,225 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     sigma_9 = sigma_8;
     weight_1 = weight;
     energy_2 = energy_1;
-    let _e46 = inner_3;
-    lobe_3.direction = _e46.direction;
-    let _e49 = inner_3;
-    lobe_3.sigma = _e49.sigma;
-    let _e52 = inner_3;
-    lobe_3.inner = _e52.sigma;
-    let _e55 = inner_3;
-    lobe_3.carried = _e55.sigma;
-    let _e58 = inner_3;
-    let _e60 = weight_1;
-    let _e62 = energy_2;
-    lobe_3.weight = ((_e58.weight * _e60) * _e62);
-    let _e64 = view_28;
-    if !((_e64.cosTheta > 0f)) {
+    let _e48 = inner_3;
+    lobe_3.direction = _e48.direction;
+    let _e51 = inner_3;
+    lobe_3.sigma = _e51.sigma;
+    let _e54 = inner_3;
+    lobe_3.inner = _e54.sigma;
+    let _e57 = inner_3;
+    lobe_3.carried = _e57.sigma;
+    let _e60 = inner_3;
+    let _e62 = weight_1;
+    let _e64 = energy_2;
+    lobe_3.weight = ((_e60.weight * _e62) * _e64);
+    let _e66 = view_28;
+    if !((_e66.cosTheta > 0f)) {
         lobe_3.weight = 0f;
     }
-    let _e72 = s_18;
-    ratio_1 = (1f / _e72.eta);
-    let _e76 = view_28;
-    let _e81 = ratio_1;
-    if (!((_e76.cosTheta > 0f)) || (abs((_e81 - 1f)) < INDEX_MATCHED)) {
-        let _e87 = lobe_3;
-        return _e87;
+    let _e74 = s_18;
+    ratio_1 = (1f / _e74.eta);
+    let _e78 = view_28;
+    let _e83 = ratio_1;
+    if (!((_e78.cosTheta > 0f)) || (abs((_e83 - 1f)) < INDEX_MATCHED)) {
+        let _e89 = lobe_3;
+        return _e89;
     }
-    let _e88 = inner_3;
-    let _e90 = view_28;
-    let _e92 = s_18;
-    along_15 = (_e88.direction - (_e90.cosTheta * _e92.n));
-    let _e97 = along_15;
-    sinTheta_1 = length(_e97);
-    let _e100 = along_15;
-    let _e101 = sinTheta_1;
-    t_30 = (_e100 / vec3(max(_e101, 0.000000000001f)));
-    let _e107 = sinTheta_1;
-    let _e108 = view_28;
-    d_18 = vec2<f32>(_e107, _e108.cosTheta);
-    let _e112 = angle_1;
+    let _e90 = inner_3;
+    let _e92 = view_28;
+    let _e94 = s_18;
+    along_15 = (_e90.direction - (_e92.cosTheta * _e94.n));
+    let _e99 = along_15;
+    sinTheta_1 = length(_e99);
+    let _e102 = along_15;
+    let _e103 = sinTheta_1;
+    t_30 = (_e102 / vec3(max(_e103, 0.000000000001f)));
+    let _e109 = sinTheta_1;
+    let _e110 = view_28;
+    d_18 = vec2<f32>(_e109, _e110.cosTheta);
     let _e114 = angle_1;
-    l_4 = vec2<f32>(sin(_e112), cos(_e114));
-    let _e118 = ratio_1;
-    let _e119 = d_18;
-    let _e121 = l_4;
-    let _e123 = ratio_1;
-    if (_e123 < 1f) {
-        local_87 = -1f;
+    let _e116 = angle_1;
+    l_4 = vec2<f32>(sin(_e114), cos(_e116));
+    let _e120 = ratio_1;
+    let _e121 = d_18;
+    let _e123 = l_4;
+    let _e125 = ratio_1;
+    if (_e125 < 1f) {
+        local_88 = -1f;
     } else {
-        local_87 = 1f;
+        local_88 = 1f;
     }
-    let _e130 = local_87;
-    h_15 = (((_e118 * _e119) - _e121) * _e130);
-    let _e133 = h_15;
-    bend = max(length(_e133), 0.00005f);
-    let _e140 = d_18;
-    let _e141 = h_15;
-    let _e143 = bend;
-    ci = (dot(_e140, _e141) / _e143);
-    let _e146 = l_4;
-    let _e147 = h_15;
-    let _e149 = bend;
-    co = max((dot(_e146, _e147) / _e149), FACET_LEAST_COS);
-    let _e154 = view_28;
-    rays_1 = (1f - _e154.own);
-    let _e158 = angle_1;
-    let _e159 = rays_1;
-    let _e161 = view_28;
-    let _e164 = h_15;
+    let _e132 = local_88;
+    h_15 = (((_e120 * _e121) - _e123) * _e132);
+    let _e135 = h_15;
+    bend = max(length(_e135), 0.00005f);
+    let _e142 = d_18;
+    let _e143 = h_15;
+    let _e145 = bend;
+    ci = (dot(_e142, _e143) / _e145);
+    let _e148 = l_4;
+    let _e149 = h_15;
+    let _e151 = bend;
+    co = max((dot(_e148, _e149) / _e151), FACET_LEAST_COS);
+    let _e156 = view_28;
+    rays_1 = (1f - _e156.own);
+    let _e160 = angle_1;
+    let _e161 = rays_1;
+    let _e163 = view_28;
     let _e166 = h_15;
-    turned_1 = clamp((_e158 - (((GIVEN_BACK * _e159) / _e161.swing) * atan2(_e164.x, abs(_e166.y)))), -1.5707964f, 1.5707964f);
-    let _e182 = turned_1;
-    let _e184 = t_30;
-    let _e186 = turned_1;
-    let _e188 = s_18;
-    lobe_3.direction = normalize(((sin(_e182) * _e184) + (cos(_e186) * _e188.n)));
-    let _e193 = view_28;
-    let _e195 = rays_1;
-    let _e197 = view_28;
-    let _e201 = view_28;
-    kept = (_e193.own - ((_e195 * (1f - _e197.swing)) / _e201.swing));
-    let _e206 = sigma_9;
-    let _e207 = co;
-    let _e210 = ratio_1;
-    let _e211 = ci;
-    let _e213 = kept;
-    let _e214 = co;
-    let _e218 = bend;
-    seen_1 = (((_e206 * inverseSqrt(_e207)) * ((_e210 * _e211) - (_e213 * _e214))) / _e218);
-    let _e221 = ratio_1;
-    let _e222 = co;
+    let _e168 = h_15;
+    turned_1 = clamp((_e160 - (((GIVEN_BACK * _e161) / _e163.swing) * atan2(_e166.x, abs(_e168.y)))), -1.5707964f, 1.5707964f);
+    let _e184 = turned_1;
+    let _e186 = t_30;
+    let _e188 = turned_1;
+    let _e190 = s_18;
+    lobe_3.direction = normalize(((sin(_e184) * _e186) + (cos(_e188) * _e190.n)));
+    let _e195 = view_28;
+    let _e197 = rays_1;
+    let _e199 = view_28;
+    let _e203 = view_28;
+    kept = (_e195.own - ((_e197 * (1f - _e199.swing)) / _e203.swing));
+    let _e208 = sigma_9;
+    let _e209 = co;
+    let _e212 = ratio_1;
+    let _e213 = ci;
+    let _e215 = kept;
+    let _e216 = co;
+    let _e220 = bend;
+    seen_1 = (((_e208 * inverseSqrt(_e209)) * ((_e212 * _e213) - (_e215 * _e216))) / _e220);
     let _e223 = ratio_1;
-    let _e224 = ci;
-    let _e227 = s_18;
-    across_12 = (_e221 + ((_e222 - (_e223 * _e224)) * _e227.turn.y));
-    let _e233 = inner_3;
+    let _e224 = co;
+    let _e225 = ratio_1;
+    let _e226 = ci;
+    let _e229 = s_18;
+    across_12 = (_e223 + ((_e224 - (_e225 * _e226)) * _e229.turn.y));
     let _e235 = inner_3;
-    sigma2_ = (_e233.sigma * _e235.sigma);
-    let _e239 = seen_1;
-    let _e240 = seen_1;
-    let _e242 = view_28;
-    let _e244 = sigma2_;
-    inPlane = min(((_e239 * _e240) + (_e242.own * _e244)), 0.09f);
-    let _e252 = view_28;
-    let _e254 = sigma_9;
+    let _e237 = inner_3;
+    sigma2_ = (_e235.sigma * _e237.sigma);
+    let _e241 = seen_1;
+    let _e242 = seen_1;
+    let _e244 = view_28;
+    let _e246 = sigma2_;
+    inPlane = min(((_e241 * _e242) + (_e244.own * _e246)), 0.09f);
+    let _e254 = view_28;
     let _e256 = sigma_9;
-    let _e258 = co;
-    let _e260 = across_12;
-    let _e261 = across_12;
-    let _e263 = sigma2_;
-    outOfPlane = ((((_e252.own * _e254) * _e256) * _e258) + ((_e260 * _e261) * _e263));
-    let _e268 = inPlane;
-    let _e269 = outOfPlane;
-    lobe_3.sigma = sqrt(sqrt((_e268 * _e269)));
-    let _e273 = view_28;
-    if (_e273.swing < 0f) {
-        let _e277 = rays_1;
-        local_88 = -(sqrt(_e277));
+    let _e258 = sigma_9;
+    let _e260 = co;
+    let _e262 = across_12;
+    let _e263 = across_12;
+    let _e265 = sigma2_;
+    outOfPlane = ((((_e254.own * _e256) * _e258) * _e260) + ((_e262 * _e263) * _e265));
+    let _e270 = inPlane;
+    let _e271 = outOfPlane;
+    lobe_3.sigma = sqrt(sqrt((_e270 * _e271)));
+    let _e275 = view_28;
+    if (_e275.swing < 0f) {
+        let _e279 = rays_1;
+        local_89 = -(sqrt(_e279));
     } else {
-        let _e280 = rays_1;
-        local_88 = sqrt(_e280);
+        let _e282 = rays_1;
+        local_89 = sqrt(_e282);
     }
-    let _e283 = local_88;
-    let _e284 = seen_1;
-    let _e286 = view_28;
-    let _e288 = inner_3;
-    carriedInPlane = ((_e283 * _e284) + (_e286.own * _e288.sigma));
-    let _e295 = carriedInPlane;
-    let _e296 = across_12;
-    let _e297 = inner_3;
-    let _e302 = lobe_3;
-    let _e305 = lobe_3;
-    lobe_3.carried = clamp((0.5f * (_e295 + (_e296 * _e297.sigma))), -(_e302.sigma), _e305.sigma);
-    let _e308 = lobe_3;
-    return _e308;
+    let _e285 = local_89;
+    let _e286 = seen_1;
+    let _e288 = view_28;
+    let _e290 = inner_3;
+    carriedInPlane = ((_e285 * _e286) + (_e288.own * _e290.sigma));
+    let _e297 = carriedInPlane;
+    let _e298 = across_12;
+    let _e299 = inner_3;
+    let _e304 = lobe_3;
+    let _e307 = lobe_3;
+    lobe_3.carried = clamp((0.5f * (_e297 + (_e298 * _e299.sigma))), -(_e304.sigma), _e307.sigma);
+    let _e310 = lobe_3;
+    return _e310;
 }
 
 fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
     var a_34: ComposedLobe;
     var b_24: ComposedLobe;
     var weight_2: f32;
-    var local_89: f32;
+    var local_90: f32;
     var share_4: f32;
     var apart_1: vec3<f32>;
     var mean_2: vec3<f32>;
     var inner2_: f32;
     var both: f32;
     var lobe_4: ComposedLobe;
-    var local_90: vec3<f32>;
-    var local_91: f32;
+    var local_91: vec3<f32>;
+    var local_92: f32;
 
     a_34 = a_33;
     b_24 = b_23;
-    let _e34 = a_34;
-    let _e36 = b_24;
-    weight_2 = (_e34.weight + _e36.weight);
-    let _e40 = weight_2;
-    if (_e40 > 0f) {
-        let _e43 = b_24;
-        let _e45 = weight_2;
-        local_89 = (_e43.weight / _e45);
+    let _e36 = a_34;
+    let _e38 = b_24;
+    weight_2 = (_e36.weight + _e38.weight);
+    let _e42 = weight_2;
+    if (_e42 > 0f) {
+        let _e45 = b_24;
+        let _e47 = weight_2;
+        local_90 = (_e45.weight / _e47);
     } else {
-        local_89 = 0f;
+        local_90 = 0f;
     }
-    let _e49 = local_89;
-    share_4 = _e49;
-    let _e51 = b_24;
-    let _e53 = a_34;
-    apart_1 = (_e51.direction - _e53.direction);
-    let _e57 = a_34;
-    let _e59 = share_4;
-    let _e60 = apart_1;
-    mean_2 = (_e57.direction + (_e59 * _e60));
-    let _e64 = a_34;
+    let _e51 = local_90;
+    share_4 = _e51;
+    let _e53 = b_24;
+    let _e55 = a_34;
+    apart_1 = (_e53.direction - _e55.direction);
+    let _e59 = a_34;
+    let _e61 = share_4;
+    let _e62 = apart_1;
+    mean_2 = (_e59.direction + (_e61 * _e62));
     let _e66 = a_34;
-    let _e69 = b_24;
+    let _e68 = a_34;
     let _e71 = b_24;
-    let _e74 = share_4;
-    inner2_ = mix((_e64.inner * _e66.inner), (_e69.inner * _e71.inner), _e74);
-    let _e77 = a_34;
+    let _e73 = b_24;
+    let _e76 = share_4;
+    inner2_ = mix((_e66.inner * _e68.inner), (_e71.inner * _e73.inner), _e76);
     let _e79 = a_34;
-    let _e82 = b_24;
+    let _e81 = a_34;
     let _e84 = b_24;
-    let _e87 = share_4;
-    both = mix((_e77.inner * _e79.carried), (_e82.inner * _e84.carried), _e87);
-    let _e92 = weight_2;
-    lobe_4.weight = _e92;
-    let _e94 = mean_2;
-    let _e95 = mean_2;
-    if (dot(_e94, _e95) > 0.000001f) {
-        let _e99 = mean_2;
-        local_90 = normalize(_e99);
+    let _e86 = b_24;
+    let _e89 = share_4;
+    both = mix((_e79.inner * _e81.carried), (_e84.inner * _e86.carried), _e89);
+    let _e94 = weight_2;
+    lobe_4.weight = _e94;
+    let _e96 = mean_2;
+    let _e97 = mean_2;
+    if (dot(_e96, _e97) > 0.000001f) {
+        let _e101 = mean_2;
+        local_91 = normalize(_e101);
     } else {
-        let _e101 = a_34;
-        local_90 = _e101.direction;
+        let _e103 = a_34;
+        local_91 = _e103.direction;
     }
-    let _e104 = local_90;
-    lobe_4.direction = _e104;
-    let _e106 = a_34;
+    let _e106 = local_91;
+    lobe_4.direction = _e106;
     let _e108 = a_34;
-    let _e111 = b_24;
+    let _e110 = a_34;
     let _e113 = b_24;
-    let _e116 = share_4;
-    let _e119 = share_4;
-    let _e122 = share_4;
-    let _e125 = apart_1;
-    let _e126 = apart_1;
-    lobe_4.sigma = sqrt((mix((_e106.sigma * _e108.sigma), (_e111.sigma * _e113.sigma), _e116) + (((0.5f * _e119) * (1f - _e122)) * dot(_e125, _e126))));
-    let _e132 = inner2_;
-    lobe_4.inner = sqrt(_e132);
-    let _e135 = lobe_4;
-    if (_e135.inner > 0f) {
-        let _e139 = both;
-        let _e140 = lobe_4;
-        local_91 = (_e139 / _e140.inner);
+    let _e115 = b_24;
+    let _e118 = share_4;
+    let _e121 = share_4;
+    let _e124 = share_4;
+    let _e127 = apart_1;
+    let _e128 = apart_1;
+    lobe_4.sigma = sqrt((mix((_e108.sigma * _e110.sigma), (_e113.sigma * _e115.sigma), _e118) + (((0.5f * _e121) * (1f - _e124)) * dot(_e127, _e128))));
+    let _e134 = inner2_;
+    lobe_4.inner = sqrt(_e134);
+    let _e137 = lobe_4;
+    if (_e137.inner > 0f) {
+        let _e141 = both;
+        let _e142 = lobe_4;
+        local_92 = (_e141 / _e142.inner);
     } else {
-        local_91 = 0f;
+        local_92 = 0f;
     }
-    let _e145 = local_91;
-    lobe_4.carried = _e145;
-    let _e146 = lobe_4;
-    return _e146;
+    let _e147 = local_92;
+    lobe_4.carried = _e147;
+    let _e148 = lobe_4;
+    return _e148;
 }
 
 fn composedPair(core_2: ComposedLobe, tail_1: ComposedLobe, view_29: ExitView) -> ComposedPair {
@@ -7767,21 +7795,21 @@ fn composedPair(core_2: ComposedLobe, tail_1: ComposedLobe, view_29: ExitView) -
     core_3 = core_2;
     tail_2 = tail_1;
     view_30 = view_29;
-    let _e37 = view_30;
-    let _e40 = tail_2;
-    moved_1 = ((1f - _e37.own) * _e40.weight);
-    let _e46 = core_3;
-    pair_1.core = _e46;
-    let _e48 = tail_2;
-    pair_1.rest = _e48;
-    let _e51 = core_3;
-    let _e53 = moved_1;
-    pair_1.core.weight = (_e51.weight + _e53);
-    let _e57 = tail_2;
-    let _e59 = moved_1;
-    pair_1.rest.weight = (_e57.weight - _e59);
-    let _e61 = pair_1;
-    return _e61;
+    let _e39 = view_30;
+    let _e42 = tail_2;
+    moved_1 = ((1f - _e39.own) * _e42.weight);
+    let _e48 = core_3;
+    pair_1.core = _e48;
+    let _e50 = tail_2;
+    pair_1.rest = _e50;
+    let _e53 = core_3;
+    let _e55 = moved_1;
+    pair_1.core.weight = (_e53.weight + _e55);
+    let _e59 = tail_2;
+    let _e61 = moved_1;
+    pair_1.rest.weight = (_e59.weight - _e61);
+    let _e63 = pair_1;
+    return _e63;
 }
 
 fn mergePairs(core_4: ComposedPair, tail_3: ComposedPair) -> ComposedPair {
@@ -7791,16 +7819,16 @@ fn mergePairs(core_4: ComposedPair, tail_3: ComposedPair) -> ComposedPair {
 
     core_5 = core_4;
     tail_4 = tail_3;
-    let _e36 = core_5;
-    pair_2.core = _e36.core;
-    let _e39 = core_5;
-    let _e41 = tail_4;
-    let _e43 = mergeLobes(_e39.rest, _e41.core);
-    let _e44 = tail_4;
-    let _e46 = mergeLobes(_e43, _e44.rest);
-    pair_2.rest = _e46;
-    let _e47 = pair_2;
-    return _e47;
+    let _e38 = core_5;
+    pair_2.core = _e38.core;
+    let _e41 = core_5;
+    let _e43 = tail_4;
+    let _e45 = mergeLobes(_e41.rest, _e43.core);
+    let _e46 = tail_4;
+    let _e48 = mergeLobes(_e45, _e46.rest);
+    pair_2.rest = _e48;
+    let _e49 = pair_2;
+    return _e49;
 }
 
 fn interfaceCosineAxis(cosTheta_39: f32, eta_46: f32) -> f32 {
@@ -7809,82 +7837,82 @@ fn interfaceCosineAxis(cosTheta_39: f32, eta_46: f32) -> f32 {
     var c_31: f32;
     var critical: f32;
     var past: bool;
-    var local_92: f32;
+    var local_93: f32;
     var along_16: f32;
     var grazing_1: bool;
-    var local_93: f32;
     var local_94: f32;
-    var x_26: f32;
     var local_95: f32;
+    var x_26: f32;
     var local_96: f32;
+    var local_97: f32;
 
     cosTheta_40 = cosTheta_39;
     eta_47 = eta_46;
-    let _e40 = cosTheta_40;
-    c_31 = clamp(_e40, 0f, 1f);
-    let _e45 = eta_47;
-    if (_e45 >= 1f) {
-        let _e48 = c_31;
-        return sqrt(_e48);
+    let _e42 = cosTheta_40;
+    c_31 = clamp(_e42, 0f, 1f);
+    let _e47 = eta_47;
+    if (_e47 >= 1f) {
+        let _e50 = c_31;
+        return sqrt(_e50);
     }
-    let _e51 = eta_47;
-    let _e54 = eta_47;
-    critical = sqrt(((1f - _e51) * (1f + _e54)));
-    let _e59 = c_31;
-    let _e60 = critical;
-    past = (_e59 < _e60);
-    let _e63 = past;
-    if _e63 {
-        let _e64 = c_31;
-        let _e65 = critical;
-        local_92 = (_e64 / _e65);
+    let _e53 = eta_47;
+    let _e56 = eta_47;
+    critical = sqrt(((1f - _e53) * (1f + _e56)));
+    let _e61 = c_31;
+    let _e62 = critical;
+    past = (_e61 < _e62);
+    let _e65 = past;
+    if _e65 {
+        let _e66 = c_31;
+        let _e67 = critical;
+        local_93 = (_e66 / _e67);
     } else {
-        let _e67 = c_31;
-        let _e68 = critical;
-        let _e71 = critical;
-        local_92 = ((_e67 - _e68) / (1f - _e71));
+        let _e69 = c_31;
+        let _e70 = critical;
+        let _e73 = critical;
+        local_93 = ((_e69 - _e70) / (1f - _e73));
     }
-    let _e75 = local_92;
-    along_16 = _e75;
-    let _e77 = past;
-    let _e78 = along_16;
-    grazing_1 = (_e77 && (_e78 < 0.5f));
-    let _e83 = past;
-    if _e83 {
-        let _e85 = grazing_1;
-        if _e85 {
-            let _e86 = along_16;
-            local_93 = _e86;
-        } else {
+    let _e77 = local_93;
+    along_16 = _e77;
+    let _e79 = past;
+    let _e80 = along_16;
+    grazing_1 = (_e79 && (_e80 < 0.5f));
+    let _e85 = past;
+    if _e85 {
+        let _e87 = grazing_1;
+        if _e87 {
             let _e88 = along_16;
-            local_93 = (1f - _e88);
-        }
-        let _e91 = local_93;
-        local_94 = (0.125f * _e91);
-    } else {
-        let _e94 = along_16;
-        local_94 = (0.25f * _e94);
-    }
-    let _e97 = local_94;
-    x_26 = sqrt(_e97);
-    let _e100 = grazing_1;
-    if _e100 {
-        let _e101 = x_26;
-        local_96 = _e101;
-    } else {
-        let _e102 = past;
-        if _e102 {
-            let _e104 = x_26;
-            local_95 = (0.5f - _e104);
+            local_94 = _e88;
         } else {
-            let _e107 = x_26;
-            local_95 = (0.5f + _e107);
+            let _e90 = along_16;
+            local_94 = (1f - _e90);
         }
-        let _e110 = local_95;
-        local_96 = _e110;
+        let _e93 = local_94;
+        local_95 = (0.125f * _e93);
+    } else {
+        let _e96 = along_16;
+        local_95 = (0.25f * _e96);
     }
-    let _e112 = local_96;
-    return _e112;
+    let _e99 = local_95;
+    x_26 = sqrt(_e99);
+    let _e102 = grazing_1;
+    if _e102 {
+        let _e103 = x_26;
+        local_97 = _e103;
+    } else {
+        let _e104 = past;
+        if _e104 {
+            let _e106 = x_26;
+            local_96 = (0.5f - _e106);
+        } else {
+            let _e109 = x_26;
+            local_96 = (0.5f + _e109);
+        }
+        let _e112 = local_96;
+        local_97 = _e112;
+    }
+    let _e114 = local_97;
+    return _e114;
 }
 
 fn interfaceCosineAt(x_27: f32, eta_48: f32) -> f32 {
@@ -7892,91 +7920,91 @@ fn interfaceCosineAt(x_27: f32, eta_48: f32) -> f32 {
     var eta_49: f32;
     var critical_1: f32;
     var away: f32;
-    var local_97: f32;
+    var local_98: f32;
 
     x_28 = x_27;
     eta_49 = eta_48;
-    let _e40 = eta_49;
-    if (_e40 >= 1f) {
-        let _e43 = x_28;
-        let _e44 = x_28;
-        return (_e43 * _e44);
+    let _e42 = eta_49;
+    if (_e42 >= 1f) {
+        let _e45 = x_28;
+        let _e46 = x_28;
+        return (_e45 * _e46);
     }
-    let _e47 = eta_49;
-    let _e50 = eta_49;
-    critical_1 = sqrt(((1f - _e47) * (1f + _e50)));
-    let _e55 = x_28;
-    away = (_e55 - 0.5f);
-    let _e59 = away;
-    if (_e59 >= 0f) {
-        let _e62 = critical_1;
-        let _e64 = away;
+    let _e49 = eta_49;
+    let _e52 = eta_49;
+    critical_1 = sqrt(((1f - _e49) * (1f + _e52)));
+    let _e57 = x_28;
+    away = (_e57 - 0.5f);
+    let _e61 = away;
+    if (_e61 >= 0f) {
+        let _e64 = critical_1;
         let _e66 = away;
-        let _e69 = critical_1;
-        return (_e62 + (((4f * _e64) * _e66) * (1f - _e69)));
+        let _e68 = away;
+        let _e71 = critical_1;
+        return (_e64 + (((4f * _e66) * _e68) * (1f - _e71)));
     }
-    let _e73 = critical_1;
-    let _e74 = x_28;
-    if (_e74 < 0.25f) {
-        let _e78 = x_28;
+    let _e75 = critical_1;
+    let _e76 = x_28;
+    if (_e76 < 0.25f) {
         let _e80 = x_28;
-        local_97 = ((8f * _e78) * _e80);
+        let _e82 = x_28;
+        local_98 = ((8f * _e80) * _e82);
     } else {
-        let _e84 = away;
         let _e86 = away;
-        local_97 = (1f - ((8f * _e84) * _e86));
+        let _e88 = away;
+        local_98 = (1f - ((8f * _e86) * _e88));
     }
-    let _e90 = local_97;
-    return (_e73 * _e90);
+    let _e92 = local_98;
+    return (_e75 * _e92);
 }
 
 fn interfaceEtaAxis(eta_50: f32) -> f32 {
     var eta_51: f32;
-    var local_98: f32;
+    var local_99: f32;
     var n_49: f32;
 
     eta_51 = eta_50;
-    let _e38 = eta_51;
-    if (_e38 < 1f) {
-        let _e42 = eta_51;
-        local_98 = (1f / max(_e42, 0.01f));
+    let _e40 = eta_51;
+    if (_e40 < 1f) {
+        let _e44 = eta_51;
+        local_99 = (1f / max(_e44, 0.01f));
     } else {
-        let _e46 = eta_51;
-        local_98 = _e46;
+        let _e48 = eta_51;
+        local_99 = _e48;
     }
-    let _e48 = local_98;
-    n_49 = clamp(_e48, 1f, INTERFACE_GREATEST_ETA);
-    let _e52 = n_49;
-    let _e55 = n_49;
-    return (((_e52 - 1f) / (_e55 + 1f)) * 1.6666666f);
+    let _e50 = local_99;
+    n_49 = clamp(_e50, 1f, INTERFACE_GREATEST_ETA);
+    let _e54 = n_49;
+    let _e57 = n_49;
+    return (((_e54 - 1f) / (_e57 + 1f)) * 1.6666666f);
 }
 
 fn interfaceEnergyCoordinate(cosTheta_41: f32, alpha_94: f32, eta_52: f32) -> vec3<f32> {
     var cosTheta_42: f32;
     var alpha_95: f32;
     var eta_53: f32;
-    var local_99: i32;
+    var local_100: i32;
 
     cosTheta_42 = cosTheta_41;
     alpha_95 = alpha_94;
     eta_53 = eta_52;
-    let _e42 = cosTheta_42;
-    let _e43 = eta_53;
-    let _e44 = interfaceCosineAxis(_e42, _e43);
-    let _e47 = blockCoordinate(_e44, INTERFACE_ENERGY_COSINES, 0i, 1i);
-    let _e48 = alpha_95;
-    let _e54 = blockCoordinate(sqrt(max(_e48, 0f)), INTERFACE_ENERGY_ALPHAS, 0i, 1i);
-    let _e55 = eta_53;
-    let _e56 = interfaceEtaAxis(_e55);
+    let _e44 = cosTheta_42;
+    let _e45 = eta_53;
+    let _e46 = interfaceCosineAxis(_e44, _e45);
+    let _e49 = blockCoordinate(_e46, INTERFACE_ENERGY_COSINES, 0i, 1i);
+    let _e50 = alpha_95;
+    let _e56 = blockCoordinate(sqrt(max(_e50, 0f)), INTERFACE_ENERGY_ALPHAS, 0i, 1i);
     let _e57 = eta_53;
-    if (_e57 < 1f) {
-        local_99 = 1i;
+    let _e58 = interfaceEtaAxis(_e57);
+    let _e59 = eta_53;
+    if (_e59 < 1f) {
+        local_100 = 1i;
     } else {
-        local_99 = 0i;
+        local_100 = 0i;
     }
-    let _e63 = local_99;
-    let _e65 = blockCoordinate(_e56, INTERFACE_SLICES, _e63, 2i);
-    return vec3<f32>(_e47, _e54, _e65);
+    let _e65 = local_100;
+    let _e67 = blockCoordinate(_e58, INTERFACE_SLICES, _e65, 2i);
+    return vec3<f32>(_e49, _e56, _e67);
 }
 
 fn interfaceLobeCoordinate(lobe_5: i32, lobes_6: i32, cosTheta_43: f32, alpha_96: f32, eta_54: f32) -> vec3<f32> {
@@ -7985,32 +8013,32 @@ fn interfaceLobeCoordinate(lobe_5: i32, lobes_6: i32, cosTheta_43: f32, alpha_96
     var cosTheta_44: f32;
     var alpha_97: f32;
     var eta_55: f32;
-    var local_100: i32;
+    var local_101: i32;
 
     lobe_6 = lobe_5;
     lobes_7 = lobes_6;
     cosTheta_44 = cosTheta_43;
     alpha_97 = alpha_96;
     eta_55 = eta_54;
-    let _e46 = cosTheta_44;
-    let _e47 = eta_55;
-    let _e48 = interfaceCosineAxis(_e46, _e47);
-    let _e51 = blockCoordinate(_e48, INTERFACE_LOBE_COSINES, 0i, 1i);
-    let _e52 = alpha_97;
-    let _e56 = lobe_6;
-    let _e57 = lobes_7;
-    let _e58 = blockCoordinate(sqrt(max(_e52, 0f)), INTERFACE_LOBE_ALPHAS, _e56, _e57);
-    let _e59 = eta_55;
-    let _e60 = interfaceEtaAxis(_e59);
+    let _e48 = cosTheta_44;
+    let _e49 = eta_55;
+    let _e50 = interfaceCosineAxis(_e48, _e49);
+    let _e53 = blockCoordinate(_e50, INTERFACE_LOBE_COSINES, 0i, 1i);
+    let _e54 = alpha_97;
+    let _e58 = lobe_6;
+    let _e59 = lobes_7;
+    let _e60 = blockCoordinate(sqrt(max(_e54, 0f)), INTERFACE_LOBE_ALPHAS, _e58, _e59);
     let _e61 = eta_55;
-    if (_e61 < 1f) {
-        local_100 = 1i;
+    let _e62 = interfaceEtaAxis(_e61);
+    let _e63 = eta_55;
+    if (_e63 < 1f) {
+        local_101 = 1i;
     } else {
-        local_100 = 0i;
+        local_101 = 0i;
     }
-    let _e67 = local_100;
-    let _e69 = blockCoordinate(_e60, INTERFACE_SLICES, _e67, 2i);
-    return vec3<f32>(_e51, _e58, _e69);
+    let _e69 = local_101;
+    let _e71 = blockCoordinate(_e62, INTERFACE_SLICES, _e69, 2i);
+    return vec3<f32>(_e53, _e60, _e71);
 }
 
 fn interfaceSnell(cosTheta_45: f32, eta_56: f32) -> f32 {
@@ -8020,14 +8048,14 @@ fn interfaceSnell(cosTheta_45: f32, eta_56: f32) -> f32 {
 
     cosTheta_46 = cosTheta_45;
     eta_57 = eta_56;
-    let _e40 = cosTheta_46;
-    c_32 = clamp(_e40, 0f, 1f);
-    let _e46 = c_32;
-    let _e49 = c_32;
-    let _e53 = c_32;
-    let _e54 = eta_57;
-    let _e55 = fresnelG(_e53, _e54);
-    return atan2(sqrt(((1f - _e46) * (1f + _e49))), _e55);
+    let _e42 = cosTheta_46;
+    c_32 = clamp(_e42, 0f, 1f);
+    let _e48 = c_32;
+    let _e51 = c_32;
+    let _e55 = c_32;
+    let _e56 = eta_57;
+    let _e57 = fresnelG(_e55, _e56);
+    return atan2(sqrt(((1f - _e48) * (1f + _e51))), _e57);
 }
 
 fn interfaceWidth(cosTheta_47: f32, alpha_98: f32, eta_58: f32) -> f32 {
@@ -8044,36 +8072,36 @@ fn interfaceWidth(cosTheta_47: f32, alpha_98: f32, eta_58: f32) -> f32 {
     cosTheta_48 = cosTheta_47;
     alpha_99 = alpha_98;
     eta_59 = eta_58;
-    let _e42 = cosTheta_48;
-    let _e46 = eta_59;
-    let _e47 = fresnelG(clamp(_e42, 0f, 1f), _e46);
-    g_9 = _e47;
-    let _e50 = eta_59;
-    let _e53 = eta_59;
-    critical_2 = sqrt(max(((1f - _e50) * (1f + _e53)), 0f));
-    let _e60 = eta_59;
-    let _e63 = eta_59;
-    let _e68 = eta_59;
-    let _e69 = g_9;
-    let _e70 = cosTheta_48;
-    let _e71 = critical_2;
-    across_13 = (abs(((_e60 - 1f) * (_e63 + 1f))) / max((_e68 * (_e69 + max(_e70, _e71))), 0.000000000000000000000000000001f));
-    let _e79 = g_9;
-    let _e80 = eta_59;
-    cosT = (_e79 / _e80);
-    let _e83 = alpha_99;
-    let _e84 = critical_2;
-    let _e85 = cosTheta_48;
-    lean_3 = (_e83 + max((_e84 - _e85), 0f));
-    let _e91 = lean_3;
-    let _e92 = across_13;
-    let _e94 = cosT;
-    let _e95 = cosT;
-    let _e97 = lean_3;
-    width_5 = ((_e91 * _e92) * inverseSqrt(sqrt(((_e94 * _e95) + max(_e97, 0.000000000001f)))));
-    let _e105 = width_5;
-    let _e108 = width_5;
-    return (_e105 / (1f + (2f * _e108)));
+    let _e44 = cosTheta_48;
+    let _e48 = eta_59;
+    let _e49 = fresnelG(clamp(_e44, 0f, 1f), _e48);
+    g_9 = _e49;
+    let _e52 = eta_59;
+    let _e55 = eta_59;
+    critical_2 = sqrt(max(((1f - _e52) * (1f + _e55)), 0f));
+    let _e62 = eta_59;
+    let _e65 = eta_59;
+    let _e70 = eta_59;
+    let _e71 = g_9;
+    let _e72 = cosTheta_48;
+    let _e73 = critical_2;
+    across_13 = (abs(((_e62 - 1f) * (_e65 + 1f))) / max((_e70 * (_e71 + max(_e72, _e73))), 0.000000000000000000000000000001f));
+    let _e81 = g_9;
+    let _e82 = eta_59;
+    cosT = (_e81 / _e82);
+    let _e85 = alpha_99;
+    let _e86 = critical_2;
+    let _e87 = cosTheta_48;
+    lean_3 = (_e85 + max((_e86 - _e87), 0f));
+    let _e93 = lean_3;
+    let _e94 = across_13;
+    let _e96 = cosT;
+    let _e97 = cosT;
+    let _e99 = lean_3;
+    width_5 = ((_e93 * _e94) * inverseSqrt(sqrt(((_e96 * _e97) + max(_e99, 0.000000000001f)))));
+    let _e107 = width_5;
+    let _e110 = width_5;
+    return (_e107 / (1f + (2f * _e110)));
 }
 
 fn interfaceEnergy(texel_5: vec4<f32>) -> InterfaceEnergy {
@@ -8081,12 +8109,12 @@ fn interfaceEnergy(texel_5: vec4<f32>) -> InterfaceEnergy {
     var e_7: InterfaceEnergy;
 
     texel_6 = texel_5;
-    let _e40 = texel_6;
-    e_7.transmitted = _e40.x;
-    let _e43 = texel_6;
-    e_7.reflected = _e43.y;
-    let _e45 = e_7;
-    return _e45;
+    let _e42 = texel_6;
+    e_7.transmitted = _e42.x;
+    let _e45 = texel_6;
+    e_7.reflected = _e45.y;
+    let _e47 = e_7;
+    return _e47;
 }
 
 fn interfaceLobe(texel_7: vec4<f32>, cosTheta_49: f32, alpha_100: f32, eta_60: f32) -> InterfaceLobe {
@@ -8101,24 +8129,24 @@ fn interfaceLobe(texel_7: vec4<f32>, cosTheta_49: f32, alpha_100: f32, eta_60: f
     cosTheta_50 = cosTheta_49;
     alpha_101 = alpha_100;
     eta_61 = eta_60;
-    let _e44 = cosTheta_50;
-    let _e45 = alpha_101;
-    let _e49 = eta_61;
-    let _e50 = interfaceWidth(_e44, clamp(_e45, 0f, 1f), _e49);
-    width_6 = _e50;
-    let _e54 = cosTheta_50;
-    let _e55 = eta_61;
-    let _e56 = interfaceSnell(_e54, _e55);
-    let _e57 = texel_8;
-    let _e59 = width_6;
-    lobe_7.angle = (_e56 + (_e57.x * _e59));
-    let _e63 = texel_8;
-    let _e65 = width_6;
-    lobe_7.sigma = (_e63.y * _e65);
-    let _e68 = texel_8;
-    lobe_7.weight = _e68.z;
-    let _e70 = lobe_7;
-    return _e70;
+    let _e46 = cosTheta_50;
+    let _e47 = alpha_101;
+    let _e51 = eta_61;
+    let _e52 = interfaceWidth(_e46, clamp(_e47, 0f, 1f), _e51);
+    width_6 = _e52;
+    let _e56 = cosTheta_50;
+    let _e57 = eta_61;
+    let _e58 = interfaceSnell(_e56, _e57);
+    let _e59 = texel_8;
+    let _e61 = width_6;
+    lobe_7.angle = (_e58 + (_e59.x * _e61));
+    let _e65 = texel_8;
+    let _e67 = width_6;
+    lobe_7.sigma = (_e65.y * _e67);
+    let _e70 = texel_8;
+    lobe_7.weight = _e70.z;
+    let _e72 = lobe_7;
+    return _e72;
 }
 
 fn interfaceLobeDirection(wo_56: vec3<f32>, n_50: vec3<f32>, angle_2: f32) -> vec3<f32> {
@@ -8126,34 +8154,34 @@ fn interfaceLobeDirection(wo_56: vec3<f32>, n_50: vec3<f32>, angle_2: f32) -> ve
     var n_51: vec3<f32>;
     var angle_3: f32;
     var across_14: vec3<f32>;
-    var local_101: vec3<f32>;
+    var local_102: vec3<f32>;
 
     wo_57 = wo_56;
     n_51 = n_50;
     angle_3 = angle_2;
-    let _e42 = wo_57;
-    let _e43 = n_51;
+    let _e44 = wo_57;
     let _e45 = n_51;
-    let _e47 = wo_57;
-    across_14 = ((dot(_e42, _e43) * _e45) - _e47);
-    let _e50 = across_14;
-    let _e51 = across_14;
-    if !((dot(_e50, _e51) > 0.000000000001f)) {
-        let _e56 = n_51;
-        let _e57 = n_51;
-        if (abs(_e57.x) < 0.7f) {
-            local_101 = vec3<f32>(1f, 0f, 0f);
+    let _e47 = n_51;
+    let _e49 = wo_57;
+    across_14 = ((dot(_e44, _e45) * _e47) - _e49);
+    let _e52 = across_14;
+    let _e53 = across_14;
+    if !((dot(_e52, _e53) > 0.000000000001f)) {
+        let _e58 = n_51;
+        let _e59 = n_51;
+        if (abs(_e59.x) < 0.7f) {
+            local_102 = vec3<f32>(1f, 0f, 0f);
         } else {
-            local_101 = vec3<f32>(0f, 1f, 0f);
+            local_102 = vec3<f32>(0f, 1f, 0f);
         }
-        let _e71 = local_101;
-        across_14 = cross(_e56, _e71);
+        let _e73 = local_102;
+        across_14 = cross(_e58, _e73);
     }
-    let _e73 = angle_3;
-    let _e75 = across_14;
-    let _e78 = angle_3;
-    let _e80 = n_51;
-    return ((sin(_e73) * normalize(_e75)) - (cos(_e78) * _e80));
+    let _e75 = angle_3;
+    let _e77 = across_14;
+    let _e80 = angle_3;
+    let _e82 = n_51;
+    return ((sin(_e75) * normalize(_e77)) - (cos(_e80) * _e82));
 }
 
 fn pyramidVariance(level_1: f32) -> f32 {
@@ -8161,11 +8189,11 @@ fn pyramidVariance(level_1: f32) -> f32 {
     var scale_5: f32;
 
     level_2 = level_1;
-    let _e39 = level_2;
-    scale_5 = exp2((2f * _e39));
-    let _e44 = scale_5;
-    let _e48 = scale_5;
-    return ((0.25f * (_e44 - 1f)) + (_e48 / 6f));
+    let _e41 = level_2;
+    scale_5 = exp2((2f * _e41));
+    let _e46 = scale_5;
+    let _e50 = scale_5;
+    return ((0.25f * (_e46 - 1f)) + (_e50 / 6f));
 }
 
 fn pyramidLevel(variance_3: f32, lastLevel: f32) -> f32 {
@@ -8179,34 +8207,34 @@ fn pyramidLevel(variance_3: f32, lastLevel: f32) -> f32 {
 
     variance_4 = variance_3;
     lastLevel_1 = lastLevel;
-    let _e40 = variance_4;
-    scale_6 = ((_e40 + 0.25f) / 0.4166667f);
-    let _e51 = scale_6;
-    exact = (0.5f * log2(max(_e51, 1f)));
-    let _e57 = exact;
-    let _e59 = lastLevel_1;
-    below_7 = min(floor(_e57), _e59);
-    let _e62 = below_7;
-    let _e63 = pyramidVariance(_e62);
-    low_8 = _e63;
-    let _e65 = below_7;
-    let _e68 = pyramidVariance((_e65 + 1f));
-    high_3 = _e68;
-    let _e70 = below_7;
-    let _e71 = variance_4;
-    let _e72 = low_8;
-    let _e74 = high_3;
-    let _e75 = low_8;
-    let _e82 = lastLevel_1;
-    return min((_e70 + clamp(((_e71 - _e72) / (_e74 - _e75)), 0f, 1f)), _e82);
+    let _e42 = variance_4;
+    scale_6 = ((_e42 + 0.25f) / 0.4166667f);
+    let _e53 = scale_6;
+    exact = (0.5f * log2(max(_e53, 1f)));
+    let _e59 = exact;
+    let _e61 = lastLevel_1;
+    below_7 = min(floor(_e59), _e61);
+    let _e64 = below_7;
+    let _e65 = pyramidVariance(_e64);
+    low_8 = _e65;
+    let _e67 = below_7;
+    let _e70 = pyramidVariance((_e67 + 1f));
+    high_3 = _e70;
+    let _e72 = below_7;
+    let _e73 = variance_4;
+    let _e74 = low_8;
+    let _e76 = high_3;
+    let _e77 = low_8;
+    let _e84 = lastLevel_1;
+    return min((_e72 + clamp(((_e73 - _e74) / (_e76 - _e77)), 0f, 1f)), _e84);
 }
 
 fn normalIntegral(x_29: f32) -> f32 {
     var x_30: f32;
 
     x_30 = x_29;
-    let _e42 = x_30;
-    return (1f / (1f + exp((-1.702f * _e42))));
+    let _e44 = x_30;
+    return (1f / (1f + exp((-1.702f * _e44))));
 }
 
 fn pyramidCoverage(at_25: vec2<f32>, size_23: vec2<f32>, sigma_10: f32) -> f32 {
@@ -8220,27 +8248,27 @@ fn pyramidCoverage(at_25: vec2<f32>, size_23: vec2<f32>, sigma_10: f32) -> f32 {
     at_26 = at_25;
     size_24 = size_23;
     sigma_11 = sigma_10;
-    let _e43 = sigma_11;
-    inverse = (1f / max(_e43, 0.25f));
-    let _e48 = size_24;
-    let _e50 = at_26;
-    let _e53 = inverse;
-    let _e55 = normalIntegral(((_e48.x - _e50.x) * _e53));
-    let _e56 = at_26;
-    let _e59 = inverse;
-    let _e61 = normalIntegral((-(_e56.x) * _e59));
-    x_31 = (_e55 - _e61);
-    let _e64 = size_24;
-    let _e66 = at_26;
-    let _e69 = inverse;
-    let _e71 = normalIntegral(((_e64.y - _e66.y) * _e69));
-    let _e72 = at_26;
-    let _e75 = inverse;
-    let _e77 = normalIntegral((-(_e72.y) * _e75));
-    y_11 = (_e71 - _e77);
-    let _e80 = x_31;
-    let _e81 = y_11;
-    return clamp((_e80 * _e81), 0f, 1f);
+    let _e45 = sigma_11;
+    inverse = (1f / max(_e45, 0.25f));
+    let _e50 = size_24;
+    let _e52 = at_26;
+    let _e55 = inverse;
+    let _e57 = normalIntegral(((_e50.x - _e52.x) * _e55));
+    let _e58 = at_26;
+    let _e61 = inverse;
+    let _e63 = normalIntegral((-(_e58.x) * _e61));
+    x_31 = (_e57 - _e63);
+    let _e66 = size_24;
+    let _e68 = at_26;
+    let _e71 = inverse;
+    let _e73 = normalIntegral(((_e66.y - _e68.y) * _e71));
+    let _e74 = at_26;
+    let _e77 = inverse;
+    let _e79 = normalIntegral((-(_e74.y) * _e77));
+    y_11 = (_e73 - _e79);
+    let _e82 = x_31;
+    let _e83 = y_11;
+    return clamp((_e82 * _e83), 0f, 1f);
 }
 
 fn lobeVariance(sigma_12: f32, carried: f32, inner_4: f32, inside_3: f32, outside: f32) -> f32 {
@@ -8257,21 +8285,21 @@ fn lobeVariance(sigma_12: f32, carried: f32, inner_4: f32, inside_3: f32, outsid
     inner_5 = inner_4;
     inside_4 = inside_3;
     outside_1 = outside;
-    let _e46 = inside_4;
-    let _e47 = inner_5;
-    offset = (_e46 * _e47);
-    let _e50 = outside_1;
-    let _e51 = sigma_13;
-    angle_4 = (_e50 * _e51);
-    let _e54 = angle_4;
-    let _e55 = angle_4;
-    let _e58 = offset;
-    let _e60 = outside_1;
-    let _e62 = carried_1;
-    let _e63 = sigma_13;
-    let _e67 = offset;
-    let _e68 = offset;
-    return (((_e54 * _e55) + (((2f * _e58) * _e60) * min(_e62, _e63))) + (_e67 * _e68));
+    let _e48 = inside_4;
+    let _e49 = inner_5;
+    offset = (_e48 * _e49);
+    let _e52 = outside_1;
+    let _e53 = sigma_13;
+    angle_4 = (_e52 * _e53);
+    let _e56 = angle_4;
+    let _e57 = angle_4;
+    let _e60 = offset;
+    let _e62 = outside_1;
+    let _e64 = carried_1;
+    let _e65 = sigma_13;
+    let _e69 = offset;
+    let _e70 = offset;
+    return (((_e56 * _e57) + (((2f * _e60) * _e62) * min(_e64, _e65))) + (_e69 * _e70));
 }
 
 fn pixelsPerRadian(focal: f32, cosine: f32) -> f32 {
@@ -8280,10 +8308,10 @@ fn pixelsPerRadian(focal: f32, cosine: f32) -> f32 {
 
     focal_1 = focal;
     cosine_1 = cosine;
-    let _e40 = focal_1;
-    let _e41 = cosine_1;
-    let _e42 = cosine_1;
-    return (_e40 / (_e41 * sqrt(_e42)));
+    let _e42 = focal_1;
+    let _e43 = cosine_1;
+    let _e44 = cosine_1;
+    return (_e42 / (_e43 * sqrt(_e44)));
 }
 
 fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5: SceneIntersection, view_31: SceneView) -> vec3<f32> {
@@ -8293,162 +8321,162 @@ fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5
     var met_6: SceneIntersection;
     var view_32: SceneView;
     var ends: bool;
-    var local_102: vec3<f32>;
+    var local_103: vec3<f32>;
     var place: vec3<f32>;
-    var local_103: f32;
+    var local_104: f32;
     var clip_4: vec4<f32>;
     var share_5: f32 = 0f;
     var near_1: vec3<f32> = vec3(0f);
-    var local_104: vec3<f32>;
+    var local_105: vec3<f32>;
     var fromEye: vec3<f32>;
     var range_2: f32;
     var metres: f32;
-    var local_105: f32;
+    var local_106: f32;
     var pixels: f32;
     var at_27: vec2<f32>;
     var outside_2: vec2<f32>;
     var far_1: f32;
-    var local_106: f32;
+    var local_107: f32;
     var shown: vec4<f32>;
-    var local_107: vec3<f32>;
     var local_108: vec3<f32>;
+    var local_109: vec3<f32>;
 
     lobe_9 = lobe_8;
     origin_17 = origin_16;
     inside_6 = inside_5;
     met_6 = met_5;
     view_32 = view_31;
-    let _e46 = met_6;
-    ends = (_e46.metres >= 0f);
-    let _e51 = ends;
-    if _e51 {
-        let _e52 = origin_17;
-        let _e53 = met_6;
-        let _e55 = lobe_9;
-        local_102 = (_e52 + (_e53.metres * _e55.direction));
+    let _e48 = met_6;
+    ends = (_e48.metres >= 0f);
+    let _e53 = ends;
+    if _e53 {
+        let _e54 = origin_17;
+        let _e55 = met_6;
+        let _e57 = lobe_9;
+        local_103 = (_e54 + (_e55.metres * _e57.direction));
     } else {
-        let _e59 = lobe_9;
-        local_102 = _e59.direction;
+        let _e61 = lobe_9;
+        local_103 = _e61.direction;
     }
-    let _e62 = local_102;
-    place = _e62;
-    let _e64 = view_32;
-    let _e66 = place;
-    let _e67 = ends;
-    if _e67 {
-        local_103 = 1f;
+    let _e64 = local_103;
+    place = _e64;
+    let _e66 = view_32;
+    let _e68 = place;
+    let _e69 = ends;
+    if _e69 {
+        local_104 = 1f;
     } else {
-        local_103 = 0f;
+        local_104 = 0f;
     }
-    let _e71 = local_103;
-    clip_4 = (_e64.clipFromWorld * vec4<f32>(_e66.x, _e66.y, _e66.z, _e71));
-    let _e83 = met_6;
-    let _e85 = clip_4;
-    if (_e83.seen && (_e85.w > 0f)) {
+    let _e73 = local_104;
+    clip_4 = (_e66.clipFromWorld * vec4<f32>(_e68.x, _e68.y, _e68.z, _e73));
+    let _e85 = met_6;
+    let _e87 = clip_4;
+    if (_e85.seen && (_e87.w > 0f)) {
         {
-            let _e90 = ends;
-            if _e90 {
-                let _e91 = place;
-                let _e92 = view_32;
-                local_104 = (_e91 - _e92.eye);
+            let _e92 = ends;
+            if _e92 {
+                let _e93 = place;
+                let _e94 = view_32;
+                local_105 = (_e93 - _e94.eye);
             } else {
-                let _e95 = lobe_9;
-                local_104 = _e95.direction;
+                let _e97 = lobe_9;
+                local_105 = _e97.direction;
             }
-            let _e98 = local_104;
-            fromEye = _e98;
-            let _e100 = fromEye;
-            range_2 = length(_e100);
-            let _e103 = lobe_9;
+            let _e100 = local_105;
+            fromEye = _e100;
+            let _e102 = fromEye;
+            range_2 = length(_e102);
             let _e105 = lobe_9;
             let _e107 = lobe_9;
-            let _e109 = inside_6;
-            let _e110 = met_6;
-            let _e112 = lobeVariance(_e103.sigma, _e105.carried, _e107.inner, _e109, _e110.metres);
-            metres = sqrt(_e112);
-            let _e115 = ends;
-            if _e115 {
-                let _e116 = metres;
-                let _e117 = range_2;
-                local_105 = (_e116 / _e117);
+            let _e109 = lobe_9;
+            let _e111 = inside_6;
+            let _e112 = met_6;
+            let _e114 = lobeVariance(_e105.sigma, _e107.carried, _e109.inner, _e111, _e112.metres);
+            metres = sqrt(_e114);
+            let _e117 = ends;
+            if _e117 {
+                let _e118 = metres;
+                let _e119 = range_2;
+                local_106 = (_e118 / _e119);
             } else {
-                let _e119 = lobe_9;
-                local_105 = _e119.sigma;
+                let _e121 = lobe_9;
+                local_106 = _e121.sigma;
             }
-            let _e122 = local_105;
-            let _e123 = view_32;
-            let _e125 = clip_4;
-            let _e127 = range_2;
-            let _e131 = pixelsPerRadian(_e123.focal, min((_e125.w / _e127), 1f));
-            pixels = (_e122 * _e131);
-            let _e134 = clip_4;
-            let _e135 = view_32;
-            let _e137 = scenePixel(_e134, _e135.size);
-            at_27 = _e137;
-            let _e139 = at_27;
+            let _e124 = local_106;
+            let _e125 = view_32;
+            let _e127 = clip_4;
+            let _e129 = range_2;
+            let _e133 = pixelsPerRadian(_e125.focal, min((_e127.w / _e129), 1f));
+            pixels = (_e124 * _e133);
+            let _e136 = clip_4;
+            let _e137 = view_32;
+            let _e139 = scenePixel(_e136, _e137.size);
+            at_27 = _e139;
             let _e141 = at_27;
-            let _e142 = view_32;
-            outside_2 = max(max(-(_e139), (_e141 - _e142.size)), vec2(0f));
-            let _e150 = outside_2;
-            let _e151 = outside_2;
-            far_1 = dot(_e150, _e151);
-            let _e154 = ends;
-            if _e154 {
-                let _e157 = far_1;
-                let _e159 = view_32;
-                let _e162 = view_32;
-                local_106 = exp(((-0.5f * _e157) / (_e159.size.y * _e162.size.y)));
+            let _e143 = at_27;
+            let _e144 = view_32;
+            outside_2 = max(max(-(_e141), (_e143 - _e144.size)), vec2(0f));
+            let _e152 = outside_2;
+            let _e153 = outside_2;
+            far_1 = dot(_e152, _e153);
+            let _e156 = ends;
+            if _e156 {
+                let _e159 = far_1;
+                let _e161 = view_32;
+                let _e164 = view_32;
+                local_107 = exp(((-0.5f * _e159) / (_e161.size.y * _e164.size.y)));
             } else {
-                let _e168 = at_27;
-                let _e169 = view_32;
-                let _e171 = pixels;
-                let _e172 = pyramidCoverage(_e168, _e169.size, _e171);
-                local_106 = _e172;
+                let _e170 = at_27;
+                let _e171 = view_32;
+                let _e173 = pixels;
+                let _e174 = pyramidCoverage(_e170, _e171.size, _e173);
+                local_107 = _e174;
             }
-            let _e174 = local_106;
-            share_5 = _e174;
-            let _e175 = share_5;
-            if (_e175 > 0f) {
+            let _e176 = local_107;
+            share_5 = _e176;
+            let _e177 = share_5;
+            if (_e177 > 0f) {
                 {
-                    let _e178 = at_27;
-                    let _e179 = pixels;
-                    let _e180 = pixels;
-                    let _e182 = far_1;
-                    let _e184 = engineSceneColor(_e178, ((_e179 * _e180) + _e182));
-                    shown = _e184;
-                    let _e186 = share_5;
-                    let _e188 = shown;
-                    share_5 = (_e186 * min((2f * _e188.w), 1f));
-                    let _e194 = shown;
-                    if (_e194.w > 0f) {
-                        let _e198 = shown;
+                    let _e180 = at_27;
+                    let _e181 = pixels;
+                    let _e182 = pixels;
+                    let _e184 = far_1;
+                    let _e186 = engineSceneColor(_e180, ((_e181 * _e182) + _e184));
+                    shown = _e186;
+                    let _e188 = share_5;
+                    let _e190 = shown;
+                    share_5 = (_e188 * min((2f * _e190.w), 1f));
+                    let _e196 = shown;
+                    if (_e196.w > 0f) {
                         let _e200 = shown;
                         let _e202 = shown;
-                        let _e205 = shown;
-                        local_107 = (vec3<f32>(_e198.x, _e200.y, _e202.z) / vec3(_e205.w));
+                        let _e204 = shown;
+                        let _e207 = shown;
+                        local_108 = (vec3<f32>(_e200.x, _e202.y, _e204.z) / vec3(_e207.w));
                     } else {
-                        local_107 = vec3(0f);
+                        local_108 = vec3(0f);
                     }
-                    let _e212 = local_107;
-                    near_1 = _e212;
+                    let _e214 = local_108;
+                    near_1 = _e214;
                 }
             }
         }
     }
-    let _e213 = share_5;
-    if (_e213 >= 0.999f) {
-        let _e216 = near_1;
-        local_108 = _e216;
+    let _e215 = share_5;
+    if (_e215 >= 0.999f) {
+        let _e218 = near_1;
+        local_109 = _e218;
     } else {
-        let _e217 = lobe_9;
         let _e219 = lobe_9;
-        let _e221 = engineEnvironment(_e217.direction, _e219.sigma);
-        let _e222 = near_1;
-        let _e223 = share_5;
-        local_108 = mix(_e221, _e222, vec3(_e223));
+        let _e221 = lobe_9;
+        let _e223 = engineEnvironment(_e219.direction, _e221.sigma);
+        let _e224 = near_1;
+        let _e225 = share_5;
+        local_109 = mix(_e223, _e224, vec3(_e225));
     }
-    let _e227 = local_108;
-    return _e227;
+    let _e229 = local_109;
+    return _e229;
 }
 
 fn engineFaceEnergy(cosTheta_51: f32, alpha_102: f32, eta_62: f32) -> InterfaceEnergy {
@@ -8459,13 +8487,13 @@ fn engineFaceEnergy(cosTheta_51: f32, alpha_102: f32, eta_62: f32) -> InterfaceE
     cosTheta_52 = cosTheta_51;
     alpha_103 = alpha_102;
     eta_63 = eta_62;
-    let _e42 = cosTheta_52;
-    let _e43 = alpha_103;
-    let _e44 = eta_63;
-    let _e45 = interfaceEnergyCoordinate(_e42, _e43, _e44);
-    let _e46 = engineInterfaceEnergy(_e45);
-    let _e47 = interfaceEnergy(_e46);
-    return _e47;
+    let _e44 = cosTheta_52;
+    let _e45 = alpha_103;
+    let _e46 = eta_63;
+    let _e47 = interfaceEnergyCoordinate(_e44, _e45, _e46);
+    let _e48 = engineInterfaceEnergy(_e47);
+    let _e49 = interfaceEnergy(_e48);
+    return _e49;
 }
 
 fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
@@ -8481,52 +8509,52 @@ fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
     face_11 = face_10;
     ior_1 = ior;
     view_34 = view_33;
-    let _e42 = face_11;
     let _e44 = face_11;
-    cosTheta_53 = dot(_e42.wo, _e44.n);
-    let _e48 = cosTheta_53;
-    let _e49 = face_11;
-    let _e51 = ior_1;
-    let _e52 = engineFaceEnergy(_e48, _e49.alpha, _e51);
-    energy_3 = _e52.reflected;
-    let _e55 = cosTheta_53;
-    let _e56 = face_11;
-    let _e58 = ior_1;
-    let _e59 = fresnelNormalIncidence(_e58);
-    let _e60 = energy_3;
-    let _e61 = edgeShare(_e59, _e60);
-    let _e62 = lobeCoordinate(_e55, _e56.alpha, _e61);
-    let _e63 = engineReflectionLobe(_e62);
-    texel_9 = _e63;
-    let _e68 = cosTheta_53;
-    let _e70 = face_11;
-    let _e73 = face_11;
-    let _e76 = face_11;
-    let _e78 = texel_9;
-    let _e80 = lobeDirection((((2f * _e68) * _e70.n) - _e73.wo), _e76.n, _e78.x);
-    lobe_10.direction = _e80;
-    let _e82 = texel_9;
+    let _e46 = face_11;
+    cosTheta_53 = dot(_e44.wo, _e46.n);
+    let _e50 = cosTheta_53;
+    let _e51 = face_11;
+    let _e53 = ior_1;
+    let _e54 = engineFaceEnergy(_e50, _e51.alpha, _e53);
+    energy_3 = _e54.reflected;
+    let _e57 = cosTheta_53;
+    let _e58 = face_11;
+    let _e60 = ior_1;
+    let _e61 = fresnelNormalIncidence(_e60);
+    let _e62 = energy_3;
+    let _e63 = edgeShare(_e61, _e62);
+    let _e64 = lobeCoordinate(_e57, _e58.alpha, _e63);
+    let _e65 = engineReflectionLobe(_e64);
+    texel_9 = _e65;
+    let _e70 = cosTheta_53;
+    let _e72 = face_11;
+    let _e75 = face_11;
+    let _e78 = face_11;
+    let _e80 = texel_9;
+    let _e82 = lobeDirection((((2f * _e70) * _e72.n) - _e75.wo), _e78.n, _e80.x);
+    lobe_10.direction = _e82;
     let _e84 = texel_9;
-    let _e87 = face_11;
-    let _e90 = face_11;
-    let _e94 = face_11;
-    lobe_10.sigma = sqrt(((((_e82.y * _e84.y) * _e87.alpha) * _e90.alpha) + (4f * _e94.turn)));
-    let _e100 = energy_3;
-    lobe_10.weight = _e100;
+    let _e86 = texel_9;
+    let _e89 = face_11;
+    let _e92 = face_11;
+    let _e96 = face_11;
+    lobe_10.sigma = sqrt(((((_e84.y * _e86.y) * _e89.alpha) * _e92.alpha) + (4f * _e96.turn)));
+    let _e102 = energy_3;
+    lobe_10.weight = _e102;
     lobe_10.inner = 0f;
     lobe_10.carried = 0f;
-    let _e105 = face_11;
-    let _e107 = lobe_10;
-    let _e109 = view_34;
-    let _e110 = sceneIntersection(_e105.position, _e107.direction, _e109);
-    met_7 = _e110;
-    let _e112 = energy_3;
-    let _e113 = lobe_10;
-    let _e114 = face_11;
-    let _e117 = met_7;
-    let _e118 = view_34;
-    let _e119 = lobeRadiance(_e113, _e114.position, 0f, _e117, _e118);
-    return (_e112 * _e119);
+    let _e107 = face_11;
+    let _e109 = lobe_10;
+    let _e111 = view_34;
+    let _e112 = sceneIntersection(_e107.position, _e109.direction, _e111);
+    met_7 = _e112;
+    let _e114 = energy_3;
+    let _e115 = lobe_10;
+    let _e116 = face_11;
+    let _e119 = met_7;
+    let _e120 = view_34;
+    let _e121 = lobeRadiance(_e115, _e116.position, 0f, _e119, _e120);
+    return (_e114 * _e121);
 }
 
 fn internalScatteringLossGgx() -> InternalScatteringLoss {
@@ -8536,8 +8564,8 @@ fn internalScatteringLossGgx() -> InternalScatteringLoss {
     k_26.constant = 0.254f;
     k_26.thin = 1.078f;
     k_26.passes = 0.3f;
-    let _e45 = k_26;
-    return _e45;
+    let _e47 = k_26;
+    return _e47;
 }
 
 fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
@@ -8547,37 +8575,37 @@ fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
     k_27.constant = 1.555f;
     k_27.thin = 0.565f;
     k_27.passes = 0f;
-    let _e45 = k_27;
-    return _e45;
+    let _e47 = k_27;
+    return _e47;
 }
 
 fn internalScatteringPasses(ior_2: f32) -> f32 {
     var ior_3: f32;
     var eta_64: f32;
     var passes: f32;
-    var local_109: f32;
+    var local_110: f32;
 
     ior_3 = ior_2;
-    let _e38 = ior_3;
     let _e40 = ior_3;
-    eta_64 = max(_e38, (1f / _e40));
-    let _e46 = eta_64;
-    let _e47 = fresnelTransmittedAt(0.355051f, _e46);
-    let _e51 = eta_64;
-    let _e52 = fresnelTransmittedAt(0.844949f, _e51);
-    passes = ((0.363917f * _e47) + (0.636083f * _e52));
-    let _e56 = ior_3;
-    if (_e56 > 1f) {
-        let _e59 = passes;
-        let _e60 = ior_3;
-        let _e61 = ior_3;
-        local_109 = (_e59 / (_e60 * _e61));
+    let _e42 = ior_3;
+    eta_64 = max(_e40, (1f / _e42));
+    let _e48 = eta_64;
+    let _e49 = fresnelTransmittedAt(0.355051f, _e48);
+    let _e53 = eta_64;
+    let _e54 = fresnelTransmittedAt(0.844949f, _e53);
+    passes = ((0.363917f * _e49) + (0.636083f * _e54));
+    let _e58 = ior_3;
+    if (_e58 > 1f) {
+        let _e61 = passes;
+        let _e62 = ior_3;
+        let _e63 = ior_3;
+        local_110 = (_e61 / (_e62 * _e63));
     } else {
-        let _e64 = passes;
-        local_109 = _e64;
+        let _e66 = passes;
+        local_110 = _e66;
     }
-    let _e66 = local_109;
-    return _e66;
+    let _e68 = local_110;
+    return _e68;
 }
 
 fn internalScatteringAt(alpha_104: f32, ior_4: f32, k_28: InternalScatteringLoss) -> InternalScattering {
@@ -8592,30 +8620,30 @@ fn internalScatteringAt(alpha_104: f32, ior_4: f32, k_28: InternalScatteringLoss
     alpha_105 = alpha_104;
     ior_5 = ior_4;
     k_29 = k_28;
-    let _e42 = ior_5;
-    let _e43 = internalScatteringPasses(_e42);
-    smoothly = _e43;
-    let _e45 = alpha_105;
-    let _e46 = alpha_105;
-    alpha2_1 = (_e45 * _e46);
-    let _e49 = alpha2_1;
-    let _e50 = alpha2_1;
-    let _e51 = k_29;
-    let _e53 = alpha_105;
-    let _e56 = k_29;
-    let _e61 = k_29;
-    let _e63 = alpha_105;
-    let _e65 = smoothly;
-    lost_2 = ((_e49 / ((_e50 + (_e51.linear * _e53)) + _e56.constant)) * max((1f - ((_e61.thin * _e63) * max((_e65 - 0.4f), 0f))), 0f));
-    let _e78 = smoothly;
-    let _e80 = k_29;
-    let _e82 = alpha2_1;
-    w_33.passes = (_e78 * (1f - (_e80.passes * _e82)));
-    let _e88 = w_33;
-    let _e91 = lost_2;
-    w_33.back = max(((1f - _e88.passes) - _e91), 0f);
-    let _e95 = w_33;
-    return _e95;
+    let _e44 = ior_5;
+    let _e45 = internalScatteringPasses(_e44);
+    smoothly = _e45;
+    let _e47 = alpha_105;
+    let _e48 = alpha_105;
+    alpha2_1 = (_e47 * _e48);
+    let _e51 = alpha2_1;
+    let _e52 = alpha2_1;
+    let _e53 = k_29;
+    let _e55 = alpha_105;
+    let _e58 = k_29;
+    let _e63 = k_29;
+    let _e65 = alpha_105;
+    let _e67 = smoothly;
+    lost_2 = ((_e51 / ((_e52 + (_e53.linear * _e55)) + _e58.constant)) * max((1f - ((_e63.thin * _e65) * max((_e67 - 0.4f), 0f))), 0f));
+    let _e80 = smoothly;
+    let _e82 = k_29;
+    let _e84 = alpha2_1;
+    w_33.passes = (_e80 * (1f - (_e82.passes * _e84)));
+    let _e90 = w_33;
+    let _e93 = lost_2;
+    w_33.back = max(((1f - _e90.passes) - _e93), 0f);
+    let _e97 = w_33;
+    return _e97;
 }
 
 fn internalScatteringConcave(w_34: InternalScattering, again: f32) -> InternalScattering {
@@ -8625,15 +8653,15 @@ fn internalScatteringConcave(w_34: InternalScattering, again: f32) -> InternalSc
 
     w_35 = w_34;
     again_1 = again;
-    let _e43 = again_1;
-    let _e45 = w_35;
-    concave.passes = ((1f - _e43) * _e45.passes);
-    let _e49 = w_35;
-    let _e51 = again_1;
-    let _e52 = w_35;
-    concave.back = (_e49.back + (_e51 * _e52.passes));
-    let _e56 = concave;
-    return _e56;
+    let _e45 = again_1;
+    let _e47 = w_35;
+    concave.passes = ((1f - _e45) * _e47.passes);
+    let _e51 = w_35;
+    let _e53 = again_1;
+    let _e54 = w_35;
+    concave.back = (_e51.back + (_e53 * _e54.passes));
+    let _e58 = concave;
+    return _e58;
 }
 
 fn internalScatteringEscapes(w_36: InternalScattering, way_7: vec3<f32>) -> vec3<f32> {
@@ -8642,12 +8670,12 @@ fn internalScatteringEscapes(w_36: InternalScattering, way_7: vec3<f32>) -> vec3
 
     w_37 = w_36;
     way_8 = way_7;
-    let _e40 = w_37;
-    let _e42 = way_8;
-    let _e46 = w_37;
-    let _e48 = way_8;
-    let _e51 = w_37;
-    return ((_e40.passes * _e42) / max((vec3(1f) - (_e46.back * _e48)), vec3(_e51.passes)));
+    let _e42 = w_37;
+    let _e44 = way_8;
+    let _e48 = w_37;
+    let _e50 = way_8;
+    let _e53 = w_37;
+    return ((_e42.passes * _e44) / max((vec3(1f) - (_e48.back * _e50)), vec3(_e53.passes)));
 }
 
 fn engineFaceLobe(lobe_11: i32, cosTheta_54: f32, alpha_106: f32, eta_65: f32) -> InterfaceLobe {
@@ -8660,17 +8688,17 @@ fn engineFaceLobe(lobe_11: i32, cosTheta_54: f32, alpha_106: f32, eta_65: f32) -
     cosTheta_55 = cosTheta_54;
     alpha_107 = alpha_106;
     eta_66 = eta_65;
-    let _e44 = lobe_12;
-    let _e46 = cosTheta_55;
-    let _e47 = alpha_107;
-    let _e48 = eta_66;
-    let _e49 = interfaceLobeCoordinate(_e44, 2i, _e46, _e47, _e48);
-    let _e50 = engineInterfaceLobe(_e49);
-    let _e51 = cosTheta_55;
-    let _e52 = alpha_107;
-    let _e53 = eta_66;
-    let _e54 = interfaceLobe(_e50, _e51, _e52, _e53);
-    return _e54;
+    let _e47 = lobe_12;
+    let _e49 = cosTheta_55;
+    let _e50 = alpha_107;
+    let _e51 = eta_66;
+    let _e52 = interfaceLobeCoordinate(_e47, 2i, _e49, _e50, _e51);
+    let _e53 = engineInterfaceLobe(_e52);
+    let _e54 = cosTheta_55;
+    let _e55 = alpha_107;
+    let _e56 = eta_66;
+    let _e57 = interfaceLobe(_e53, _e54, _e55, _e56);
+    return _e57;
 }
 
 fn engineEnteringLobe(lobe_13: i32, face_12: GlassFace, ior_6: f32, energy_4: f32) -> InnerLobe {
@@ -8681,57 +8709,57 @@ fn engineEnteringLobe(lobe_13: i32, face_12: GlassFace, ior_6: f32, energy_4: f3
     var read_: InterfaceLobe;
     var inner_6: InnerLobe;
     var matched: bool;
-    var local_110: vec3<f32>;
-    var local_111: f32;
+    var local_111: vec3<f32>;
     var local_112: f32;
+    var local_113: f32;
 
     lobe_14 = lobe_13;
     face_13 = face_12;
     ior_7 = ior_6;
     energy_5 = energy_4;
-    let _e44 = lobe_14;
-    let _e45 = face_13;
-    let _e47 = face_13;
+    let _e47 = lobe_14;
+    let _e48 = face_13;
     let _e50 = face_13;
-    let _e52 = ior_7;
-    let _e53 = engineFaceLobe(_e44, dot(_e45.wo, _e47.n), _e50.alpha, _e52);
-    read_ = _e53;
-    let _e56 = ior_7;
-    matched = (abs((_e56 - 1f)) < INDEX_MATCHED);
-    let _e63 = matched;
-    if _e63 {
-        let _e64 = face_13;
-        local_110 = -(_e64.wo);
-    } else {
+    let _e53 = face_13;
+    let _e55 = ior_7;
+    let _e56 = engineFaceLobe(_e47, dot(_e48.wo, _e50.n), _e53.alpha, _e55);
+    read_ = _e56;
+    let _e59 = ior_7;
+    matched = (abs((_e59 - 1f)) < INDEX_MATCHED);
+    let _e66 = matched;
+    if _e66 {
         let _e67 = face_13;
-        let _e69 = face_13;
-        let _e71 = read_;
-        let _e73 = interfaceLobeDirection(_e67.wo, _e69.n, _e71.angle);
-        local_110 = _e73;
-    }
-    let _e75 = local_110;
-    inner_6.direction = _e75;
-    let _e77 = matched;
-    if _e77 {
-        local_111 = 0f;
+        local_111 = -(_e67.wo);
     } else {
-        let _e79 = read_;
-        local_111 = _e79.sigma;
+        let _e70 = face_13;
+        let _e72 = face_13;
+        let _e74 = read_;
+        let _e76 = interfaceLobeDirection(_e70.wo, _e72.n, _e74.angle);
+        local_111 = _e76;
     }
-    let _e82 = local_111;
-    inner_6.sigma = _e82;
-    let _e84 = read_;
-    let _e86 = matched;
-    if _e86 {
-        local_112 = 1f;
+    let _e78 = local_111;
+    inner_6.direction = _e78;
+    let _e80 = matched;
+    if _e80 {
+        local_112 = 0f;
     } else {
-        let _e88 = energy_5;
-        local_112 = _e88;
+        let _e82 = read_;
+        local_112 = _e82.sigma;
     }
-    let _e90 = local_112;
-    inner_6.weight = (_e84.weight * _e90);
-    let _e92 = inner_6;
-    return _e92;
+    let _e85 = local_112;
+    inner_6.sigma = _e85;
+    let _e87 = read_;
+    let _e89 = matched;
+    if _e89 {
+        local_113 = 1f;
+    } else {
+        let _e91 = energy_5;
+        local_113 = _e91;
+    }
+    let _e93 = local_113;
+    inner_6.weight = (_e87.weight * _e93);
+    let _e95 = inner_6;
+    return _e95;
 }
 
 fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: Widening) -> ComposedPair {
@@ -8741,64 +8769,83 @@ fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: 
     var k_31: Widening;
     var view_35: ExitView;
     var cosTheta_56: f32;
-    var local_113: f32;
+    var local_114: f32;
     var energy_6: f32;
     var first_8: InterfaceLobe;
+    var one_1: ComposedPair;
     var second_1: InterfaceLobe;
 
     inner_8 = inner_7;
     core_7 = core_6;
     s_20 = s_19;
     k_31 = k_30;
-    let _e44 = inner_8;
-    let _e45 = core_7;
-    let _e46 = s_20;
-    let _e47 = k_31;
-    let _e48 = seeExit(_e44, _e45, _e46, _e47);
-    view_35 = _e48;
-    let _e50 = view_35;
-    cosTheta_56 = max(_e50.cosTheta, 0f);
-    let _e55 = s_20;
-    if (abs((_e55.eta - 1f)) < INDEX_MATCHED) {
-        local_113 = 1f;
+    let _e47 = inner_8;
+    let _e48 = core_7;
+    let _e49 = s_20;
+    let _e50 = k_31;
+    let _e51 = seeExit(_e47, _e48, _e49, _e50);
+    view_35 = _e51;
+    let _e53 = view_35;
+    cosTheta_56 = max(_e53.cosTheta, 0f);
+    let _e58 = s_20;
+    if (abs((_e58.eta - 1f)) < INDEX_MATCHED) {
+        local_114 = 1f;
     } else {
-        let _e62 = cosTheta_56;
-        let _e63 = view_35;
-        let _e65 = s_20;
-        let _e67 = engineFaceEnergy(_e62, _e63.alphaEnergy, _e65.eta);
-        local_113 = _e67.transmitted;
+        let _e65 = cosTheta_56;
+        let _e66 = view_35;
+        let _e68 = s_20;
+        let _e70 = engineFaceEnergy(_e65, _e66.alphaEnergy, _e68.eta);
+        local_114 = _e70.transmitted;
     }
-    let _e70 = local_113;
-    energy_6 = _e70;
-    let _e73 = cosTheta_56;
-    let _e74 = view_35;
-    let _e76 = s_20;
-    let _e78 = engineFaceLobe(0i, _e73, _e74.alphaShape, _e76.eta);
-    first_8 = _e78;
-    let _e81 = cosTheta_56;
-    let _e82 = view_35;
-    let _e84 = s_20;
-    let _e86 = engineFaceLobe(1i, _e81, _e82.alphaShape, _e84.eta);
-    second_1 = _e86;
-    let _e88 = inner_8;
-    let _e89 = view_35;
-    let _e90 = s_20;
-    let _e91 = first_8;
-    let _e93 = first_8;
-    let _e95 = first_8;
-    let _e97 = energy_6;
-    let _e98 = composeLobe(_e88, _e89, _e90, _e91.angle, _e93.sigma, _e95.weight, _e97);
-    let _e99 = inner_8;
-    let _e100 = view_35;
-    let _e101 = s_20;
-    let _e102 = second_1;
-    let _e104 = second_1;
-    let _e106 = second_1;
-    let _e108 = energy_6;
-    let _e109 = composeLobe(_e99, _e100, _e101, _e102.angle, _e104.sigma, _e106.weight, _e108);
-    let _e110 = view_35;
-    let _e111 = composedPair(_e98, _e109, _e110);
-    return _e111;
+    let _e73 = local_114;
+    energy_6 = _e73;
+    let _e76 = cosTheta_56;
+    let _e77 = view_35;
+    let _e79 = s_20;
+    let _e81 = engineFaceLobe(0i, _e76, _e77.alphaShape, _e79.eta);
+    first_8 = _e81;
+    let _e83 = view_35;
+    if (_e83.alphaShape < SMOOTH_ALPHA) {
+        {
+            let _e88 = inner_8;
+            let _e89 = view_35;
+            let _e90 = s_20;
+            let _e91 = first_8;
+            let _e93 = first_8;
+            let _e96 = energy_6;
+            let _e97 = composeLobe(_e88, _e89, _e90, _e91.angle, _e93.sigma, 1f, _e96);
+            one_1.core = _e97;
+            let _e99 = one_1;
+            one_1.rest = _e99.core;
+            one_1.rest.weight = 0f;
+            let _e104 = one_1;
+            return _e104;
+        }
+    }
+    let _e106 = cosTheta_56;
+    let _e107 = view_35;
+    let _e109 = s_20;
+    let _e111 = engineFaceLobe(1i, _e106, _e107.alphaShape, _e109.eta);
+    second_1 = _e111;
+    let _e113 = inner_8;
+    let _e114 = view_35;
+    let _e115 = s_20;
+    let _e116 = first_8;
+    let _e118 = first_8;
+    let _e120 = first_8;
+    let _e122 = energy_6;
+    let _e123 = composeLobe(_e113, _e114, _e115, _e116.angle, _e118.sigma, _e120.weight, _e122);
+    let _e124 = inner_8;
+    let _e125 = view_35;
+    let _e126 = s_20;
+    let _e127 = second_1;
+    let _e129 = second_1;
+    let _e131 = second_1;
+    let _e133 = energy_6;
+    let _e134 = composeLobe(_e124, _e125, _e126, _e127.angle, _e129.sigma, _e131.weight, _e133);
+    let _e135 = view_35;
+    let _e136 = composedPair(_e123, _e134, _e135);
+    return _e136;
 }
 
 fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLobe, entered: f32, e_8: ConvexExit, passed: f32) -> vec3<f32> {
@@ -8817,7 +8864,7 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     var outward_3: vec3<f32>;
     var spread_5: f32;
     var way_9: vec3<f32>;
-    var local_114: vec3<f32>;
+    var local_115: vec3<f32>;
     var direction_24: vec3<f32>;
     var seen_2: vec3<f32>;
 
@@ -8827,70 +8874,70 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     entered_1 = entered;
     e_9 = e_8;
     passed_1 = passed;
-    let _e49 = inner_10;
-    let _e51 = e_9;
-    cosTheta_57 = max(dot(_e49.direction, _e51.surface.n), 0f);
-    let _e58 = cosTheta_57;
-    let _e59 = body_3;
-    let _e61 = e_9;
-    let _e64 = engineFaceEnergy(_e58, _e59.backAlpha, _e61.surface.eta);
-    own_2 = _e64;
-    let _e68 = passed_1;
-    w_38.passes = _e68;
-    let _e70 = own_2;
-    let _e72 = own_2;
-    let _e75 = passed_1;
-    w_38.back = clamp(((_e70.transmitted + _e72.reflected) - _e75), 0f, 0.99f);
-    let _e80 = inner_10;
-    let _e83 = cosTheta_57;
-    let _e85 = e_9;
-    reflected = (_e80.direction - ((2f * _e83) * _e85.surface.n));
-    let _e91 = body_3;
-    let _e93 = body_3;
-    q_2 = clamp((_e91.thickness * _e93.curvature), 0f, 2f);
-    let _e100 = face_15;
-    let _e102 = e_9;
-    let _e106 = cosTheta_57;
-    let _e108 = reflected;
-    let _e112 = q_2;
-    near_2 = normalize(mix(_e100.n, (_e102.surface.n + ((2f * _e106) * _e108)), vec3((0.5f * _e112))));
-    let _e118 = reflected;
-    let _e120 = near_2;
-    let _e122 = e_9;
-    let _e125 = refractAbout(-(_e118), -(_e120), _e122.surface.eta);
-    outward_3 = _e125;
-    let _e127 = inner_10;
-    let _e129 = inner_10;
-    let _e133 = body_3;
+    let _e52 = inner_10;
+    let _e54 = e_9;
+    cosTheta_57 = max(dot(_e52.direction, _e54.surface.n), 0f);
+    let _e61 = cosTheta_57;
+    let _e62 = body_3;
+    let _e64 = e_9;
+    let _e67 = engineFaceEnergy(_e61, _e62.backAlpha, _e64.surface.eta);
+    own_2 = _e67;
+    let _e71 = passed_1;
+    w_38.passes = _e71;
+    let _e73 = own_2;
+    let _e75 = own_2;
+    let _e78 = passed_1;
+    w_38.back = clamp(((_e73.transmitted + _e75.reflected) - _e78), 0f, 0.99f);
+    let _e83 = inner_10;
+    let _e86 = cosTheta_57;
+    let _e88 = e_9;
+    reflected = (_e83.direction - ((2f * _e86) * _e88.surface.n));
+    let _e94 = body_3;
+    let _e96 = body_3;
+    q_2 = clamp((_e94.thickness * _e96.curvature), 0f, 2f);
+    let _e103 = face_15;
+    let _e105 = e_9;
+    let _e109 = cosTheta_57;
+    let _e111 = reflected;
+    let _e115 = q_2;
+    near_2 = normalize(mix(_e103.n, (_e105.surface.n + ((2f * _e109) * _e111)), vec3((0.5f * _e115))));
+    let _e121 = reflected;
+    let _e123 = near_2;
+    let _e125 = e_9;
+    let _e128 = refractAbout(-(_e121), -(_e123), _e125.surface.eta);
+    outward_3 = _e128;
+    let _e130 = inner_10;
+    let _e132 = inner_10;
     let _e136 = body_3;
-    let _e141 = body_3;
-    spread_5 = (sqrt(((_e127.sigma * _e129.sigma) + ((4f * _e133.backAlpha) * _e136.backAlpha))) * _e141.ior);
-    let _e145 = e_9;
-    let _e148 = body_3;
-    way_9 = exp((-(_e145.path) * _e148.attenuation));
-    let _e153 = outward_3;
-    let _e154 = outward_3;
-    if (dot(_e153, _e154) > 0f) {
-        let _e158 = outward_3;
-        local_114 = _e158;
+    let _e139 = body_3;
+    let _e144 = body_3;
+    spread_5 = (sqrt(((_e130.sigma * _e132.sigma) + ((4f * _e136.backAlpha) * _e139.backAlpha))) * _e144.ior);
+    let _e148 = e_9;
+    let _e151 = body_3;
+    way_9 = exp((-(_e148.path) * _e151.attenuation));
+    let _e156 = outward_3;
+    let _e157 = outward_3;
+    if (dot(_e156, _e157) > 0f) {
+        let _e161 = outward_3;
+        local_115 = _e161;
     } else {
-        let _e159 = near_2;
-        local_114 = _e159;
+        let _e162 = near_2;
+        local_115 = _e162;
     }
-    let _e161 = local_114;
-    direction_24 = _e161;
-    let _e163 = direction_24;
-    let _e164 = spread_5;
-    let _e167 = engineEnvironment(_e163, min(_e164, 0.606f));
-    seen_2 = (SCATTERED_SEEN * _e167);
-    let _e170 = entered_1;
-    let _e171 = w_38;
-    let _e174 = way_9;
-    let _e176 = w_38;
+    let _e164 = local_115;
+    direction_24 = _e164;
+    let _e166 = direction_24;
+    let _e167 = spread_5;
+    let _e170 = engineEnvironment(_e166, min(_e167, 0.606f));
+    seen_2 = (SCATTERED_SEEN * _e170);
+    let _e173 = entered_1;
+    let _e174 = w_38;
     let _e177 = way_9;
-    let _e178 = internalScatteringEscapes(_e176, _e177);
-    let _e180 = seen_2;
-    return ((((_e170 * _e171.back) * _e174) * _e178) * _e180);
+    let _e179 = w_38;
+    let _e180 = way_9;
+    let _e181 = internalScatteringEscapes(_e179, _e180);
+    let _e183 = seen_2;
+    return ((((_e173 * _e174.back) * _e177) * _e181) * _e183);
 }
 
 fn enterGlass(face_16: GlassFace, ior_8: f32) -> Entering {
@@ -8900,342 +8947,444 @@ fn enterGlass(face_16: GlassFace, ior_8: f32) -> Entering {
 
     face_17 = face_16;
     ior_9 = ior_8;
-    let _e43 = face_17;
-    let _e45 = face_17;
+    let _e46 = face_17;
     let _e48 = face_17;
-    let _e50 = ior_9;
-    let _e51 = engineFaceEnergy(dot(_e43.wo, _e45.n), _e48.alpha, _e50);
-    e_10.energy = _e51.transmitted;
-    let _e55 = face_17;
-    let _e56 = ior_9;
-    let _e57 = e_10;
-    let _e59 = engineEnteringLobe(0i, _e55, _e56, _e57.energy);
-    e_10.core = _e59;
-    let _e62 = face_17;
-    let _e63 = ior_9;
+    let _e51 = face_17;
+    let _e53 = ior_9;
+    let _e54 = engineFaceEnergy(dot(_e46.wo, _e48.n), _e51.alpha, _e53);
+    e_10.energy = _e54.transmitted;
+    let _e58 = face_17;
+    let _e59 = ior_9;
+    let _e60 = e_10;
+    let _e62 = engineEnteringLobe(0i, _e58, _e59, _e60.energy);
+    e_10.core = _e62;
     let _e64 = e_10;
-    let _e66 = engineEnteringLobe(1i, _e62, _e63, _e64.energy);
-    e_10.tail = _e66;
-    let _e67 = e_10;
-    return _e67;
+    e_10.tail = _e64.core;
+    e_10.tail.weight = 0f;
+    let _e69 = face_17;
+    if (_e69.alpha < SMOOTH_ALPHA) {
+        let _e74 = e_10;
+        e_10.core.weight = _e74.energy;
+    } else {
+        let _e78 = face_17;
+        let _e79 = ior_9;
+        let _e80 = e_10;
+        let _e82 = engineEnteringLobe(1i, _e78, _e79, _e80.energy);
+        e_10.tail = _e82;
+    }
+    let _e83 = e_10;
+    return _e83;
 }
 
-fn refractThrough(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, origin_18: vec3<f32>, coreExit: ConvexExit, tailExit: ConvexExit, view_36: SceneView, k_32: Widening) -> vec3<f32> {
+fn leaveGlass(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, coreExit: ConvexExit, tailExit: ConvexExit, k_32: Widening) -> Leaving {
     var face_19: GlassFace;
     var body_5: ConvexBody;
     var e_12: Entering;
-    var origin_19: vec3<f32>;
     var coreExit_1: ConvexExit;
     var tailExit_1: ConvexExit;
-    var view_37: SceneView;
     var k_33: Widening;
     var first_9: ComposedPair;
-    var pair_3: ComposedPair;
+    var leaving: Leaving;
     var bent: f32;
-    var met_8: SceneIntersection;
-    var sum_14: vec3<f32>;
-    var local_115: f32;
-    var passed_2: f32;
+    var local_116: f32;
 
     face_19 = face_18;
     body_5 = body_4;
     e_12 = e_11;
-    origin_19 = origin_18;
     coreExit_1 = coreExit;
     tailExit_1 = tailExit;
-    view_37 = view_36;
     k_33 = k_32;
-    let _e53 = e_12;
-    let _e56 = coreExit_1;
-    let _e58 = k_33;
-    let _e59 = engineLeavingPair(_e53.core, true, _e56.surface, _e58);
-    first_9 = _e59;
-    let _e61 = first_9;
-    let _e62 = e_12;
-    let _e65 = tailExit_1;
-    let _e67 = k_33;
-    let _e68 = engineLeavingPair(_e62.tail, false, _e65.surface, _e67);
-    let _e69 = mergePairs(_e61, _e68);
-    pair_3 = _e69;
-    let _e74 = body_5;
-    bent = (2f * (1f - (1f / _e74.ior)));
-    let _e82 = pair_3;
-    let _e85 = pair_3;
-    let _e89 = bent;
-    let _e90 = bent;
-    let _e92 = face_19;
-    pair_3.core.sigma = sqrt(((_e82.core.sigma * _e85.core.sigma) + ((_e89 * _e90) * _e92.turn)));
-    let _e97 = origin_19;
-    let _e98 = pair_3;
-    let _e101 = view_37;
-    let _e102 = sceneIntersection(_e97, _e98.core.direction, _e101);
-    met_8 = _e102;
-    let _e104 = pair_3;
-    let _e107 = pair_3;
-    let _e109 = origin_19;
-    let _e110 = coreExit_1;
-    let _e112 = met_8;
-    let _e113 = view_37;
-    let _e114 = lobeRadiance(_e107.core, _e109, _e110.path, _e112, _e113);
-    sum_14 = (_e104.core.weight * _e114);
-    let _e117 = pair_3;
-    if (_e117.rest.weight > 0f) {
-        let _e122 = sum_14;
-        let _e123 = pair_3;
-        let _e126 = pair_3;
-        let _e128 = origin_19;
-        let _e129 = coreExit_1;
-        let _e131 = met_8;
-        let _e132 = view_37;
-        let _e133 = lobeRadiance(_e126.rest, _e128, _e129.path, _e131, _e132);
-        sum_14 = (_e122 + (_e123.rest.weight * _e133));
+    let _e52 = e_12;
+    let _e55 = coreExit_1;
+    let _e57 = k_33;
+    let _e58 = engineLeavingPair(_e52.core, true, _e55.surface, _e57);
+    first_9 = _e58;
+    let _e62 = first_9;
+    leaving.pair = _e62;
+    let _e63 = e_12;
+    if (_e63.tail.weight > 0f) {
+        let _e69 = first_9;
+        let _e70 = e_12;
+        let _e73 = tailExit_1;
+        let _e75 = k_33;
+        let _e76 = engineLeavingPair(_e70.tail, false, _e73.surface, _e75);
+        let _e77 = mergePairs(_e69, _e76);
+        leaving.pair = _e77;
     }
-    let _e136 = e_12;
-    if (_e136.core.weight > 0f) {
-        let _e141 = first_9;
-        let _e144 = first_9;
-        let _e148 = e_12;
-        local_115 = ((_e141.core.weight + _e144.rest.weight) / _e148.core.weight);
+    let _e81 = body_5;
+    bent = (2f * (1f - (1f / _e81.ior)));
+    let _e90 = leaving;
+    let _e94 = leaving;
+    let _e99 = bent;
+    let _e100 = bent;
+    let _e102 = face_19;
+    leaving.pair.core.sigma = sqrt(((_e90.pair.core.sigma * _e94.pair.core.sigma) + ((_e99 * _e100) * _e102.turn)));
+    let _e108 = e_12;
+    if (_e108.core.weight > 0f) {
+        let _e113 = first_9;
+        let _e116 = first_9;
+        let _e120 = e_12;
+        local_116 = ((_e113.core.weight + _e116.rest.weight) / _e120.core.weight);
     } else {
-        local_115 = 0f;
+        local_116 = 0f;
     }
-    let _e154 = local_115;
-    passed_2 = _e154;
-    let _e156 = sum_14;
-    let _e157 = coreExit_1;
-    let _e160 = body_5;
-    let _e165 = face_19;
-    let _e166 = body_5;
-    let _e167 = e_12;
-    let _e169 = e_12;
-    let _e171 = coreExit_1;
-    let _e172 = passed_2;
-    let _e173 = internallyReflected(_e165, _e166, _e167.core, _e169.energy, _e171, _e172);
-    return ((_e156 * exp((-(_e157.path) * _e160.attenuation))) + _e173);
+    let _e126 = local_116;
+    leaving.passed = _e126;
+    let _e127 = leaving;
+    return _e127;
 }
 
-fn refractConvex(face_20: GlassFace, body_6: ConvexBody, view_38: SceneView, k_34: Widening) -> vec3<f32> {
+fn pairRadiance(pair_3: ComposedPair, origin_18: vec3<f32>, inside_7: f32, view_36: SceneView) -> vec3<f32> {
+    var pair_4: ComposedPair;
+    var origin_19: vec3<f32>;
+    var inside_8: f32;
+    var view_37: SceneView;
+    var met_8: SceneIntersection;
+    var sum_14: vec3<f32>;
+
+    pair_4 = pair_3;
+    origin_19 = origin_18;
+    inside_8 = inside_7;
+    view_37 = view_36;
+    let _e48 = origin_19;
+    let _e49 = pair_4;
+    let _e52 = view_37;
+    let _e53 = sceneIntersection(_e48, _e49.core.direction, _e52);
+    met_8 = _e53;
+    let _e55 = pair_4;
+    let _e58 = pair_4;
+    let _e60 = origin_19;
+    let _e61 = inside_8;
+    let _e62 = met_8;
+    let _e63 = view_37;
+    let _e64 = lobeRadiance(_e58.core, _e60, _e61, _e62, _e63);
+    sum_14 = (_e55.core.weight * _e64);
+    let _e67 = pair_4;
+    if (_e67.rest.weight > 0f) {
+        let _e72 = sum_14;
+        let _e73 = pair_4;
+        let _e76 = pair_4;
+        let _e78 = origin_19;
+        let _e79 = inside_8;
+        let _e80 = met_8;
+        let _e81 = view_37;
+        let _e82 = lobeRadiance(_e76.rest, _e78, _e79, _e80, _e81);
+        sum_14 = (_e72 + (_e73.rest.weight * _e82));
+    }
+    let _e85 = sum_14;
+    return _e85;
+}
+
+fn refractThrough(face_20: GlassFace, body_6: ConvexBody, e_13: Entering, origin_20: vec3<f32>, coreExit_2: ConvexExit, tailExit_2: ConvexExit, view_38: SceneView, k_34: Widening) -> vec3<f32> {
     var face_21: GlassFace;
     var body_7: ConvexBody;
+    var e_14: Entering;
+    var origin_21: vec3<f32>;
+    var coreExit_3: ConvexExit;
+    var tailExit_3: ConvexExit;
     var view_39: SceneView;
     var k_35: Widening;
-    var e_13: Entering;
-    var core_8: ConvexExit;
-    var origin_20: vec3<f32>;
+    var left_2: Leaving;
+    var sum_15: vec3<f32>;
 
     face_21 = face_20;
     body_7 = body_6;
+    e_14 = e_13;
+    origin_21 = origin_20;
+    coreExit_3 = coreExit_2;
+    tailExit_3 = tailExit_2;
     view_39 = view_38;
     k_35 = k_34;
-    let _e45 = face_21;
-    let _e46 = body_7;
-    let _e48 = enterGlass(_e45, _e46.ior);
-    e_13 = _e48;
-    let _e50 = face_21;
-    let _e52 = e_13;
-    let _e55 = body_7;
-    let _e56 = convexExit(_e50.n, _e52.core.direction, _e55);
-    core_8 = _e56;
-    let _e58 = face_21;
-    let _e60 = core_8;
-    let _e62 = e_13;
-    origin_20 = (_e58.position + (_e60.path * _e62.core.direction));
-    let _e68 = face_21;
-    let _e69 = body_7;
-    let _e70 = e_13;
-    let _e71 = origin_20;
-    let _e72 = core_8;
-    let _e73 = face_21;
-    let _e75 = e_13;
-    let _e78 = body_7;
-    let _e79 = convexExit(_e73.n, _e75.tail.direction, _e78);
-    let _e80 = view_39;
-    let _e81 = k_35;
-    let _e82 = refractThrough(_e68, _e69, _e70, _e71, _e72, _e79, _e80, _e81);
-    return _e82;
+    let _e56 = face_21;
+    let _e57 = body_7;
+    let _e58 = e_14;
+    let _e59 = coreExit_3;
+    let _e60 = tailExit_3;
+    let _e61 = k_35;
+    let _e62 = leaveGlass(_e56, _e57, _e58, _e59, _e60, _e61);
+    left_2 = _e62;
+    let _e64 = left_2;
+    let _e66 = origin_21;
+    let _e67 = coreExit_3;
+    let _e69 = view_39;
+    let _e70 = pairRadiance(_e64.pair, _e66, _e67.path, _e69);
+    sum_15 = _e70;
+    let _e72 = sum_15;
+    let _e73 = coreExit_3;
+    let _e76 = body_7;
+    let _e81 = face_21;
+    let _e82 = body_7;
+    let _e83 = e_14;
+    let _e85 = e_14;
+    let _e87 = coreExit_3;
+    let _e88 = left_2;
+    let _e90 = internallyReflected(_e81, _e82, _e83.core, _e85.energy, _e87, _e88.passed);
+    return ((_e72 * exp((-(_e73.path) * _e76.attenuation))) + _e90);
 }
 
-fn wayOut(face_22: GlassFace, lobe_15: InnerLobe, eta_67: f32, number_8: f32, view_40: SceneView) -> WayOut {
+fn refractConvex(face_22: GlassFace, body_8: ConvexBody, view_40: SceneView, k_36: Widening) -> vec3<f32> {
     var face_23: GlassFace;
-    var lobe_16: InnerLobe;
-    var eta_68: f32;
-    var number_9: f32;
+    var body_9: ConvexBody;
     var view_41: SceneView;
-    var seen_3: BackFaceExit;
-    var way_10: WayOut;
-    var cosTheta_58: f32;
-    var onward: vec3<f32>;
-    var next_1: BackFaceExit;
-    var alpha_108: f32;
+    var k_37: Widening;
+    var e_15: Entering;
+    var core_8: ConvexExit;
+    var origin_22: vec3<f32>;
 
     face_23 = face_22;
-    lobe_16 = lobe_15;
-    eta_68 = eta_67;
-    number_9 = number_8;
+    body_9 = body_8;
     view_41 = view_40;
-    let _e47 = face_23;
-    let _e49 = lobe_16;
-    let _e52 = eta_68;
-    let _e53 = number_9;
-    let _e54 = view_41;
-    let _e55 = backFaceExit(_e47.position, _e49.direction, 0f, _e52, _e53, _e54);
-    seen_3 = _e55;
-    let _e59 = lobe_16;
-    way_10.lobe = _e59;
-    let _e61 = seen_3;
-    way_10.exit = _e61.exit;
-    let _e64 = face_23;
-    let _e66 = seen_3;
-    let _e69 = lobe_16;
-    way_10.point = (_e64.position + (_e66.exit.path * _e69.direction));
-    let _e74 = seen_3;
-    way_10.found = _e74.found;
-    let _e76 = lobe_16;
-    let _e78 = seen_3;
-    cosTheta_58 = dot(_e76.direction, _e78.exit.surface.n);
-    let _e84 = seen_3;
-    let _e88 = cosTheta_58;
-    let _e91 = cosTheta_58;
-    let _e94 = eta_68;
-    let _e95 = eta_68;
-    if (!(_e84.found) || (((1f - _e88) * (1f + _e91)) < (_e94 * _e95))) {
-        let _e99 = way_10;
-        return _e99;
-    }
-    let _e100 = lobe_16;
-    let _e103 = cosTheta_58;
-    let _e105 = seen_3;
-    onward = (_e100.direction - ((2f * _e103) * _e105.exit.surface.n));
-    let _e112 = way_10;
-    let _e114 = onward;
-    let _e116 = seen_3;
-    let _e120 = eta_68;
-    let _e121 = number_9;
-    let _e122 = view_41;
-    let _e123 = backFaceExit(_e112.point, _e114, (0.5f * _e116.exit.path), _e120, _e121, _e122);
-    next_1 = _e123;
-    let _e125 = next_1;
-    if !(_e125.found) {
-        let _e128 = way_10;
-        return _e128;
-    }
-    let _e129 = seen_3;
-    alpha_108 = _e129.exit.surface.alpha;
-    let _e136 = onward;
-    way_10.lobe.direction = _e136;
-    let _e139 = lobe_16;
-    let _e141 = lobe_16;
-    let _e145 = alpha_108;
-    let _e147 = alpha_108;
-    way_10.lobe.sigma = sqrt(((_e139.sigma * _e141.sigma) + ((4f * _e145) * _e147)));
-    let _e153 = lobe_16;
-    let _e155 = cosTheta_58;
-    let _e156 = alpha_108;
-    let _e157 = eta_68;
-    let _e158 = engineFaceEnergy(_e155, _e156, _e157);
-    way_10.lobe.weight = (_e153.weight * _e158.reflected);
-    let _e162 = next_1;
-    way_10.exit = _e162.exit;
-    let _e166 = seen_3;
-    let _e169 = next_1;
-    way_10.exit.path = (_e166.exit.path + _e169.exit.path);
-    let _e174 = way_10;
-    let _e176 = next_1;
-    let _e179 = onward;
-    way_10.point = (_e174.point + (_e176.exit.path * _e179));
-    let _e182 = way_10;
-    return _e182;
+    k_37 = k_36;
+    let _e48 = face_23;
+    let _e49 = body_9;
+    let _e51 = enterGlass(_e48, _e49.ior);
+    e_15 = _e51;
+    let _e53 = face_23;
+    let _e55 = e_15;
+    let _e58 = body_9;
+    let _e59 = convexExit(_e53.n, _e55.core.direction, _e58);
+    core_8 = _e59;
+    let _e61 = face_23;
+    let _e63 = core_8;
+    let _e65 = e_15;
+    origin_22 = (_e61.position + (_e63.path * _e65.core.direction));
+    let _e71 = face_23;
+    let _e72 = body_9;
+    let _e73 = e_15;
+    let _e74 = origin_22;
+    let _e75 = core_8;
+    let _e76 = face_23;
+    let _e78 = e_15;
+    let _e81 = body_9;
+    let _e82 = convexExit(_e76.n, _e78.tail.direction, _e81);
+    let _e83 = view_41;
+    let _e84 = k_37;
+    let _e85 = refractThrough(_e71, _e72, _e73, _e74, _e75, _e82, _e83, _e84);
+    return _e85;
 }
 
-fn refractFrontBack(face_24: GlassFace, body_8: ConvexBody, number_10: f32, view_42: SceneView, k_36: Widening) -> vec3<f32> {
-    var face_25: GlassFace;
-    var body_9: ConvexBody;
-    var number_11: f32;
+fn wayOut(origin_23: vec3<f32>, lobe_15: InnerLobe, eta_67: f32, which_8: FaceLayer, reflections: i32, view_42: SceneView) -> WayOut {
+    var origin_24: vec3<f32>;
+    var lobe_16: InnerLobe;
+    var eta_68: f32;
+    var which_9: FaceLayer;
+    var reflections_1: i32;
     var view_43: SceneView;
-    var k_37: Widening;
+    var seen_3: BackFaceExit;
+    var way_10: WayOut;
+    var k_38: i32 = 0i;
+    var cosTheta_58: f32;
+    var onward: vec3<f32>;
+    var alpha_108: f32;
+    var before: f32;
+
+    origin_24 = origin_23;
+    lobe_16 = lobe_15;
+    eta_68 = eta_67;
+    which_9 = which_8;
+    reflections_1 = reflections;
+    view_43 = view_42;
+    let _e52 = origin_24;
+    let _e53 = lobe_16;
+    let _e56 = eta_68;
+    let _e57 = which_9;
+    let _e58 = view_43;
+    let _e59 = backFaceExit(_e52, _e53.direction, 0f, _e56, _e57, _e58);
+    seen_3 = _e59;
+    let _e63 = lobe_16;
+    way_10.lobe = _e63;
+    let _e65 = seen_3;
+    way_10.exit = _e65.exit;
+    let _e68 = origin_24;
+    let _e69 = seen_3;
+    let _e72 = lobe_16;
+    way_10.point = (_e68 + (_e69.exit.path * _e72.direction));
+    let _e77 = seen_3;
+    way_10.found = _e77.found;
+    loop {
+        let _e81 = k_38;
+        let _e82 = reflections_1;
+        let _e84 = seen_3;
+        if !(((_e81 < _e82) && _e84.found)) {
+            break;
+        }
+        {
+            let _e91 = way_10;
+            let _e94 = seen_3;
+            cosTheta_58 = dot(_e91.lobe.direction, _e94.exit.surface.n);
+            let _e101 = cosTheta_58;
+            let _e104 = cosTheta_58;
+            let _e107 = eta_68;
+            let _e108 = eta_68;
+            if (((1f - _e101) * (1f + _e104)) < (_e107 * _e108)) {
+                break;
+            }
+            let _e111 = way_10;
+            let _e115 = cosTheta_58;
+            let _e117 = seen_3;
+            onward = (_e111.lobe.direction - ((2f * _e115) * _e117.exit.surface.n));
+            let _e124 = seen_3;
+            alpha_108 = _e124.exit.surface.alpha;
+            let _e129 = way_10;
+            let _e131 = onward;
+            let _e133 = seen_3;
+            let _e137 = eta_68;
+            let _e138 = which_9;
+            let _e139 = view_43;
+            let _e140 = backFaceExit(_e129.point, _e131, (0.5f * _e133.exit.path), _e137, _e138, _e139);
+            seen_3 = _e140;
+            let _e141 = seen_3;
+            if !(_e141.found) {
+                break;
+            }
+            let _e146 = onward;
+            way_10.lobe.direction = _e146;
+            let _e149 = way_10;
+            let _e152 = way_10;
+            let _e157 = alpha_108;
+            let _e159 = alpha_108;
+            way_10.lobe.sigma = sqrt(((_e149.lobe.sigma * _e152.lobe.sigma) + ((4f * _e157) * _e159)));
+            let _e165 = way_10;
+            let _e168 = cosTheta_58;
+            let _e169 = alpha_108;
+            let _e170 = eta_68;
+            let _e171 = engineFaceEnergy(_e168, _e169, _e170);
+            way_10.lobe.weight = (_e165.lobe.weight * _e171.reflected);
+            let _e174 = way_10;
+            before = _e174.exit.path;
+            let _e179 = seen_3;
+            way_10.exit = _e179.exit;
+            let _e183 = before;
+            let _e184 = seen_3;
+            way_10.exit.path = (_e183 + _e184.exit.path);
+            let _e189 = way_10;
+            let _e191 = seen_3;
+            let _e194 = onward;
+            way_10.point = (_e189.point + (_e191.exit.path * _e194));
+        }
+        continuing {
+            let _e88 = k_38;
+            k_38 = (_e88 + 1i);
+        }
+    }
+    let _e197 = way_10;
+    return _e197;
+}
+
+fn leavingFaces(layer_2: i32, number: f32) -> FaceLayer {
+    var layer_3: i32;
+    var number_1: f32;
+    var which_10: FaceLayer;
+
+    layer_3 = layer_2;
+    number_1 = number;
+    let _e46 = layer_3;
+    which_10.layer = _e46;
+    which_10.side = 1f;
+    let _e50 = number_1;
+    which_10.number = _e50;
+    let _e51 = which_10;
+    return _e51;
+}
+
+fn refractFrontBack(face_24: GlassFace, body_10: ConvexBody, number_2: f32, view_44: SceneView, k_39: Widening) -> vec3<f32> {
+    var face_25: GlassFace;
+    var body_11: ConvexBody;
+    var number_3: f32;
+    var view_45: SceneView;
+    var k_40: Widening;
     var entered_2: Entering;
     var core_9: WayOut;
     var tail_5: WayOut;
 
     face_25 = face_24;
-    body_9 = body_8;
-    number_11 = number_10;
-    view_43 = view_42;
-    k_37 = k_36;
-    let _e47 = face_25;
-    let _e48 = body_9;
-    let _e50 = enterGlass(_e47, _e48.ior);
-    entered_2 = _e50;
-    let _e52 = face_25;
-    let _e53 = entered_2;
-    let _e56 = body_9;
-    let _e59 = number_11;
-    let _e60 = view_43;
-    let _e61 = wayOut(_e52, _e53.core, (1f / _e56.ior), _e59, _e60);
-    core_9 = _e61;
-    let _e63 = core_9;
-    if !(_e63.found) {
-        let _e66 = face_25;
-        let _e67 = body_9;
-        let _e68 = view_43;
-        let _e69 = k_37;
-        let _e70 = refractConvex(_e66, _e67, _e68, _e69);
-        return _e70;
+    body_11 = body_10;
+    number_3 = number_2;
+    view_45 = view_44;
+    k_40 = k_39;
+    let _e50 = face_25;
+    let _e51 = body_11;
+    let _e53 = enterGlass(_e50, _e51.ior);
+    entered_2 = _e53;
+    let _e55 = face_25;
+    let _e57 = entered_2;
+    let _e60 = body_11;
+    let _e63 = number_3;
+    let _e64 = leavingFaces(BACK_FACES, _e63);
+    let _e66 = view_45;
+    let _e67 = wayOut(_e55.position, _e57.core, (1f / _e60.ior), _e64, 1i, _e66);
+    core_9 = _e67;
+    let _e69 = core_9;
+    if !(_e69.found) {
+        let _e72 = face_25;
+        let _e73 = body_11;
+        let _e74 = view_45;
+        let _e75 = k_40;
+        let _e76 = refractConvex(_e72, _e73, _e74, _e75);
+        return _e76;
     }
-    let _e71 = face_25;
-    let _e72 = entered_2;
-    let _e75 = body_9;
-    let _e78 = number_11;
-    let _e79 = view_43;
-    let _e80 = wayOut(_e71, _e72.tail, (1f / _e75.ior), _e78, _e79);
+    let _e78 = core_9;
+    entered_2.core = _e78.lobe;
+    let _e80 = core_9;
     tail_5 = _e80;
-    let _e83 = core_9;
-    entered_2.core = _e83.lobe;
-    let _e85 = tail_5;
-    if _e85.found {
-        let _e88 = tail_5;
-        entered_2.tail = _e88.lobe;
+    let _e82 = entered_2;
+    if (_e82.tail.weight > 0f) {
+        {
+            let _e87 = face_25;
+            let _e89 = entered_2;
+            let _e92 = body_11;
+            let _e95 = number_3;
+            let _e96 = leavingFaces(BACK_FACES, _e95);
+            let _e98 = view_45;
+            let _e99 = wayOut(_e87.position, _e89.tail, (1f / _e92.ior), _e96, 1i, _e98);
+            tail_5 = _e99;
+            let _e100 = tail_5;
+            if _e100.found {
+                let _e103 = tail_5;
+                entered_2.tail = _e103.lobe;
+            }
+            let _e105 = tail_5;
+            if !(_e105.found) {
+                let _e109 = core_9;
+                tail_5.exit = _e109.exit;
+            }
+        }
     }
-    let _e90 = tail_5;
-    if !(_e90.found) {
-        let _e94 = core_9;
-        tail_5.exit = _e94.exit;
-    }
-    let _e96 = face_25;
-    let _e97 = body_9;
-    let _e98 = entered_2;
-    let _e99 = core_9;
-    let _e101 = core_9;
-    let _e103 = tail_5;
-    let _e105 = view_43;
-    let _e106 = k_37;
-    let _e107 = refractThrough(_e96, _e97, _e98, _e99.point, _e101.exit, _e103.exit, _e105, _e106);
-    return _e107;
+    let _e111 = face_25;
+    let _e112 = body_11;
+    let _e113 = entered_2;
+    let _e114 = core_9;
+    let _e116 = core_9;
+    let _e118 = tail_5;
+    let _e120 = view_45;
+    let _e121 = k_40;
+    let _e122 = refractThrough(_e111, _e112, _e113, _e114.point, _e116.exit, _e118.exit, _e120, _e121);
+    return _e122;
 }
 
 fn lobeSide(direction_25: vec3<f32>) -> vec3<f32> {
     var direction_26: vec3<f32>;
     var level_3: vec3<f32>;
     var s_21: f32;
-    var local_116: vec3<f32>;
+    var local_117: vec3<f32>;
 
     direction_26 = direction_25;
-    let _e39 = direction_26;
     let _e42 = direction_26;
-    level_3 = vec3<f32>(_e39.z, 0f, -(_e42.x));
-    let _e47 = level_3;
-    let _e48 = level_3;
-    s_21 = dot(_e47, _e48);
-    let _e51 = s_21;
-    if (_e51 > 0f) {
-        let _e54 = level_3;
-        let _e55 = s_21;
-        local_116 = (_e54 * inverseSqrt(_e55));
+    let _e45 = direction_26;
+    level_3 = vec3<f32>(_e42.z, 0f, -(_e45.x));
+    let _e50 = level_3;
+    let _e51 = level_3;
+    s_21 = dot(_e50, _e51);
+    let _e54 = s_21;
+    if (_e54 > 0f) {
+        let _e57 = level_3;
+        let _e58 = s_21;
+        local_117 = (_e57 * inverseSqrt(_e58));
     } else {
-        local_116 = vec3<f32>(1f, 0f, 0f);
+        local_117 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e63 = local_116;
-    return _e63;
+    let _e66 = local_117;
+    return _e66;
 }
 
 fn lobeStratum(direction_27: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2: f32, part_2: vec3<f32>) -> LobeStratum {
@@ -9248,83 +9397,83 @@ fn lobeStratum(direction_27: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
     var off_3: vec3<f32>;
     var turn_2: f32;
     var p_17: LobeStratum;
-    var local_117: f32;
     var local_118: f32;
+    var local_119: f32;
     var together: f32;
     var rest_5: f32;
-    var local_119: f32;
+    var local_120: f32;
 
     direction_28 = direction_27;
     sigma_15 = sigma_14;
     inner_12 = inner_11;
     carried_3 = carried_2;
     part_3 = part_2;
-    let _e47 = direction_28;
-    let _e48 = lobeSide(_e47);
-    side_4 = _e48;
-    let _e50 = part_3;
-    let _e52 = side_4;
-    let _e54 = part_3;
-    let _e56 = direction_28;
-    let _e57 = side_4;
-    off_3 = ((_e50.x * _e52) + (_e54.y * cross(_e56, _e57)));
-    let _e62 = sigma_15;
-    let _e63 = off_3;
-    turn_2 = (_e62 * length(_e63));
-    let _e69 = turn_2;
-    let _e71 = direction_28;
-    let _e73 = turn_2;
-    if (_e73 > 0f) {
-        let _e76 = turn_2;
-        let _e78 = turn_2;
-        local_117 = (sin(_e76) / _e78);
+    let _e50 = direction_28;
+    let _e51 = lobeSide(_e50);
+    side_4 = _e51;
+    let _e53 = part_3;
+    let _e55 = side_4;
+    let _e57 = part_3;
+    let _e59 = direction_28;
+    let _e60 = side_4;
+    off_3 = ((_e53.x * _e55) + (_e57.y * cross(_e59, _e60)));
+    let _e65 = sigma_15;
+    let _e66 = off_3;
+    turn_2 = (_e65 * length(_e66));
+    let _e72 = turn_2;
+    let _e74 = direction_28;
+    let _e76 = turn_2;
+    if (_e76 > 0f) {
+        let _e79 = turn_2;
+        let _e81 = turn_2;
+        local_118 = (sin(_e79) / _e81);
     } else {
-        local_117 = 1f;
+        local_118 = 1f;
     }
-    let _e82 = local_117;
-    let _e83 = sigma_15;
-    let _e85 = off_3;
-    p_17.direction = ((cos(_e69) * _e71) + ((_e82 * _e83) * _e85));
-    let _e89 = part_3;
-    let _e91 = sigma_15;
-    p_17.sigma = (_e89.z * _e91);
-    let _e93 = sigma_15;
-    if (_e93 > 0f) {
-        let _e96 = carried_3;
-        let _e97 = sigma_15;
-        local_118 = clamp((_e96 / _e97), -1f, 1f);
-    } else {
-        local_118 = 0f;
-    }
-    let _e105 = local_118;
-    together = _e105;
-    let _e108 = together;
-    let _e109 = inner_12;
-    let _e111 = off_3;
-    p_17.aside = ((_e108 * _e109) * _e111);
-    let _e114 = together;
-    let _e115 = together;
-    let _e118 = part_3;
-    let _e120 = part_3;
-    rest_5 = sqrt(max((1f - ((_e114 * _e115) * (1f - (_e118.z * _e120.z)))), 0f));
-    let _e131 = rest_5;
-    let _e132 = inner_12;
-    p_17.inner = (_e131 * _e132);
-    let _e135 = rest_5;
-    if (_e135 > 0f) {
-        let _e138 = together;
-        let _e139 = sigma_15;
-        let _e141 = part_3;
-        let _e144 = part_3;
-        let _e147 = rest_5;
-        local_119 = ((((_e138 * _e139) * _e141.z) * _e144.z) / _e147);
+    let _e85 = local_118;
+    let _e86 = sigma_15;
+    let _e88 = off_3;
+    p_17.direction = ((cos(_e72) * _e74) + ((_e85 * _e86) * _e88));
+    let _e92 = part_3;
+    let _e94 = sigma_15;
+    p_17.sigma = (_e92.z * _e94);
+    let _e96 = sigma_15;
+    if (_e96 > 0f) {
+        let _e99 = carried_3;
+        let _e100 = sigma_15;
+        local_119 = clamp((_e99 / _e100), -1f, 1f);
     } else {
         local_119 = 0f;
     }
-    let _e151 = local_119;
-    p_17.carried = _e151;
-    let _e152 = p_17;
-    return _e152;
+    let _e108 = local_119;
+    together = _e108;
+    let _e111 = together;
+    let _e112 = inner_12;
+    let _e114 = off_3;
+    p_17.aside = ((_e111 * _e112) * _e114);
+    let _e117 = together;
+    let _e118 = together;
+    let _e121 = part_3;
+    let _e123 = part_3;
+    rest_5 = sqrt(max((1f - ((_e117 * _e118) * (1f - (_e121.z * _e123.z)))), 0f));
+    let _e134 = rest_5;
+    let _e135 = inner_12;
+    p_17.inner = (_e134 * _e135);
+    let _e138 = rest_5;
+    if (_e138 > 0f) {
+        let _e141 = together;
+        let _e142 = sigma_15;
+        let _e144 = part_3;
+        let _e147 = part_3;
+        let _e150 = rest_5;
+        local_120 = ((((_e141 * _e142) * _e144.z) * _e147.z) / _e150);
+    } else {
+        local_120 = 0f;
+    }
+    let _e154 = local_120;
+    p_17.carried = _e154;
+    let _e155 = p_17;
+    return _e155;
 }
 
 fn thinWallCoordinate(lobe_17: i32, lobes_8: i32, cosTheta_59: f32, alpha_109: f32, eta_69: f32) -> vec3<f32> {
@@ -9339,16 +9488,16 @@ fn thinWallCoordinate(lobe_17: i32, lobes_8: i32, cosTheta_59: f32, alpha_109: f
     cosTheta_60 = cosTheta_59;
     alpha_110 = alpha_109;
     eta_70 = eta_69;
-    let _e50 = cosTheta_60;
-    let _e54 = tableCoordinate(sqrt(max(_e50, 0f)), THIN_WALL_COSINES);
-    let _e55 = alpha_110;
-    let _e59 = lobe_18;
-    let _e60 = lobes_9;
-    let _e61 = blockCoordinate(sqrt(max(_e55, 0f)), THIN_WALL_ALPHAS, _e59, _e60);
-    let _e62 = eta_70;
-    let _e63 = interfaceEtaAxis(_e62);
-    let _e64 = tableCoordinate(_e63, THIN_WALL_SLICES);
-    return vec3<f32>(_e54, _e61, _e64);
+    let _e53 = cosTheta_60;
+    let _e57 = tableCoordinate(sqrt(max(_e53, 0f)), THIN_WALL_COSINES);
+    let _e58 = alpha_110;
+    let _e62 = lobe_18;
+    let _e63 = lobes_9;
+    let _e64 = blockCoordinate(sqrt(max(_e58, 0f)), THIN_WALL_ALPHAS, _e62, _e63);
+    let _e65 = eta_70;
+    let _e66 = interfaceEtaAxis(_e65);
+    let _e67 = tableCoordinate(_e66, THIN_WALL_SLICES);
+    return vec3<f32>(_e57, _e64, _e67);
 }
 
 fn thinWallWidth(cosTheta_61: f32, alpha_111: f32, eta_71: f32) -> f32 {
@@ -9356,7 +9505,7 @@ fn thinWallWidth(cosTheta_61: f32, alpha_111: f32, eta_71: f32) -> f32 {
     var alpha_112: f32;
     var eta_72: f32;
     var c_33: f32;
-    var local_120: f32;
+    var local_121: f32;
     var n_52: f32;
     var across_15: f32;
     var width_7: f32;
@@ -9364,72 +9513,72 @@ fn thinWallWidth(cosTheta_61: f32, alpha_111: f32, eta_71: f32) -> f32 {
     cosTheta_62 = cosTheta_61;
     alpha_112 = alpha_111;
     eta_72 = eta_71;
-    let _e46 = cosTheta_62;
-    c_33 = clamp(_e46, 0f, 1f);
-    let _e51 = eta_72;
-    if (_e51 < 1f) {
-        let _e55 = eta_72;
-        local_120 = (1f / max(_e55, 0.01f));
+    let _e49 = cosTheta_62;
+    c_33 = clamp(_e49, 0f, 1f);
+    let _e54 = eta_72;
+    if (_e54 < 1f) {
+        let _e58 = eta_72;
+        local_121 = (1f / max(_e58, 0.01f));
     } else {
-        let _e59 = eta_72;
-        local_120 = _e59;
+        let _e62 = eta_72;
+        local_121 = _e62;
     }
-    let _e61 = local_120;
-    n_52 = _e61;
-    let _e63 = n_52;
+    let _e64 = local_121;
+    n_52 = _e64;
     let _e66 = n_52;
-    let _e70 = c_33;
-    let _e71 = n_52;
-    let _e72 = fresnelG(_e70, _e71);
+    let _e69 = n_52;
     let _e73 = c_33;
-    across_15 = (((_e63 - 1f) * (_e66 + 1f)) / max((_e72 + _e73), 0.000000000000000000000000000001f));
-    let _e80 = alpha_112;
-    let _e82 = across_15;
-    let _e84 = c_33;
-    let _e85 = c_33;
-    let _e87 = alpha_112;
-    width_7 = (((1.4142135f * _e80) * _e82) * inverseSqrt(sqrt(((_e84 * _e85) + max(_e87, 0.000000000001f)))));
-    let _e95 = width_7;
+    let _e74 = n_52;
+    let _e75 = fresnelG(_e73, _e74);
+    let _e76 = c_33;
+    across_15 = (((_e66 - 1f) * (_e69 + 1f)) / max((_e75 + _e76), 0.000000000000000000000000000001f));
+    let _e83 = alpha_112;
+    let _e85 = across_15;
+    let _e87 = c_33;
+    let _e88 = c_33;
+    let _e90 = alpha_112;
+    width_7 = (((1.4142135f * _e83) * _e85) * inverseSqrt(sqrt(((_e87 * _e88) + max(_e90, 0.000000000001f)))));
     let _e98 = width_7;
-    return (_e95 / (1f + (2f * _e98)));
+    let _e101 = width_7;
+    return (_e98 / (1f + (2f * _e101)));
 }
 
 fn thinWallEnergy(texel_10: vec4<f32>) -> ThinWallEnergy {
     var texel_11: vec4<f32>;
-    var e_14: ThinWallEnergy;
+    var e_16: ThinWallEnergy;
 
     texel_11 = texel_10;
-    let _e44 = texel_11;
-    e_14.transmitted = _e44.x;
     let _e47 = texel_11;
-    e_14.reflectedFirst = _e47.y;
+    e_16.transmitted = _e47.x;
     let _e50 = texel_11;
-    e_14.reflectedLater = _e50.z;
-    let _e52 = e_14;
-    return _e52;
+    e_16.reflectedFirst = _e50.y;
+    let _e53 = texel_11;
+    e_16.reflectedLater = _e53.z;
+    let _e55 = e_16;
+    return _e55;
 }
 
 fn thinWallLaterSpread(eta_73: f32) -> f32 {
     var eta_74: f32;
-    var local_121: f32;
+    var local_122: f32;
     var n_53: f32;
 
     eta_74 = eta_73;
-    let _e42 = eta_74;
-    if (_e42 < 1f) {
-        let _e46 = eta_74;
-        local_121 = (1f / max(_e46, 0.01f));
+    let _e45 = eta_74;
+    if (_e45 < 1f) {
+        let _e49 = eta_74;
+        local_122 = (1f / max(_e49, 0.01f));
     } else {
-        let _e50 = eta_74;
-        local_121 = _e50;
+        let _e53 = eta_74;
+        local_122 = _e53;
     }
-    let _e52 = local_121;
-    n_53 = _e52;
-    let _e54 = n_53;
-    let _e55 = n_53;
+    let _e55 = local_122;
+    n_53 = _e55;
+    let _e57 = n_53;
     let _e58 = n_53;
-    let _e62 = n_53;
-    return sqrt(((_e54 * _e55) + ((0.5f * (_e58 - 1f)) * (_e62 - 1f))));
+    let _e61 = n_53;
+    let _e65 = n_53;
+    return sqrt(((_e57 * _e58) + ((0.5f * (_e61 - 1f)) * (_e65 - 1f))));
 }
 
 fn thinWallLobe(texel_12: vec4<f32>, cosTheta_63: f32, alpha_113: f32, eta_75: f32) -> InterfaceLobe {
@@ -9445,24 +9594,323 @@ fn thinWallLobe(texel_12: vec4<f32>, cosTheta_63: f32, alpha_113: f32, eta_75: f
     cosTheta_64 = cosTheta_63;
     alpha_114 = alpha_113;
     eta_76 = eta_75;
-    let _e48 = cosTheta_64;
-    c_34 = clamp(_e48, 0f, 1f);
-    let _e53 = c_34;
-    let _e54 = alpha_114;
-    let _e58 = eta_76;
-    let _e59 = thinWallWidth(_e53, clamp(_e54, 0f, 1f), _e58);
-    width_8 = _e59;
-    let _e64 = c_34;
+    let _e51 = cosTheta_64;
+    c_34 = clamp(_e51, 0f, 1f);
+    let _e56 = c_34;
+    let _e57 = alpha_114;
+    let _e61 = eta_76;
+    let _e62 = thinWallWidth(_e56, clamp(_e57, 0f, 1f), _e61);
+    width_8 = _e62;
     let _e67 = c_34;
-    let _e71 = c_34;
-    let _e73 = texel_13;
-    let _e75 = width_8;
-    lobe_19.angle = (atan2(sqrt(((1f - _e64) * (1f + _e67))), _e71) + (_e73.x * _e75));
-    let _e79 = texel_13;
-    let _e81 = width_8;
-    lobe_19.sigma = (_e79.y * _e81);
-    let _e84 = texel_13;
-    lobe_19.weight = _e84.z;
-    let _e86 = lobe_19;
-    return _e86;
+    let _e70 = c_34;
+    let _e74 = c_34;
+    let _e76 = texel_13;
+    let _e78 = width_8;
+    lobe_19.angle = (atan2(sqrt(((1f - _e67) * (1f + _e70))), _e74) + (_e76.x * _e78));
+    let _e82 = texel_13;
+    let _e84 = width_8;
+    lobe_19.sigma = (_e82.y * _e84);
+    let _e87 = texel_13;
+    lobe_19.weight = _e87.z;
+    let _e89 = lobe_19;
+    return _e89;
+}
+
+fn wayOutOfTwo(origin_25: vec3<f32>, lobe_20: InnerLobe, eta_77: f32, number_4: f32, view_46: SceneView) -> WayOut {
+    var origin_26: vec3<f32>;
+    var lobe_21: InnerLobe;
+    var eta_78: f32;
+    var number_5: f32;
+    var view_47: SceneView;
+    var near_3: WayOut;
+
+    origin_26 = origin_25;
+    lobe_21 = lobe_20;
+    eta_78 = eta_77;
+    number_5 = number_4;
+    view_47 = view_46;
+    let _e54 = origin_26;
+    let _e55 = lobe_21;
+    let _e56 = eta_78;
+    let _e57 = number_5;
+    let _e58 = leavingFaces(BACK_FACES, _e57);
+    let _e59 = view_47;
+    let _e60 = wayOut(_e54, _e55, _e56, _e58, REFLECTIONS_INSIDE, _e59);
+    near_3 = _e60;
+    let _e62 = near_3;
+    if _e62.found {
+        let _e64 = near_3;
+        return _e64;
+    }
+    let _e65 = origin_26;
+    let _e66 = lobe_21;
+    let _e67 = eta_78;
+    let _e68 = number_5;
+    let _e69 = leavingFaces(SECOND_BACKS, _e68);
+    let _e70 = view_47;
+    let _e71 = wayOut(_e65, _e66, _e67, _e69, REFLECTIONS_INSIDE, _e70);
+    return _e71;
+}
+
+fn lobeOnward(lobe_22: ComposedLobe) -> InnerLobe {
+    var lobe_23: ComposedLobe;
+    var onward_1: InnerLobe;
+
+    lobe_23 = lobe_22;
+    let _e48 = lobe_23;
+    onward_1.direction = _e48.direction;
+    let _e51 = lobe_23;
+    onward_1.sigma = _e51.sigma;
+    let _e54 = lobe_23;
+    onward_1.weight = _e54.weight;
+    let _e56 = onward_1;
+    return _e56;
+}
+
+fn secondBody(pair_5: ComposedPair, origin_27: vec3<f32>, inside_9: f32, body_12: ConvexBody, view_48: SceneView, k_41: Widening) -> vec3<f32> {
+    var pair_6: ComposedPair;
+    var origin_28: vec3<f32>;
+    var inside_10: f32;
+    var body_13: ConvexBody;
+    var view_49: SceneView;
+    var k_42: Widening;
+    var fronts: FaceLayer;
+    var front_1: BackFaceExit;
+    var outer: InnerLobe;
+    var entered_3: ComposedPair;
+    var inner_13: InnerLobe;
+    var point_4: vec3<f32>;
+    var way_11: WayOut;
+    var beyond_1: ComposedPair;
+    var between: f32;
+    var local_123: f32;
+    var passed_2: f32;
+    var aside: ComposedLobe;
+    var sum_16: vec3<f32>;
+    var cosTheta_65: f32;
+    var alpha_115: f32;
+    var weight_3: f32;
+    var mirrored: vec3<f32>;
+
+    pair_6 = pair_5;
+    origin_28 = origin_27;
+    inside_10 = inside_9;
+    body_13 = body_12;
+    view_49 = view_48;
+    k_42 = k_41;
+    let _e58 = leavingFaces(SECOND_FRONTS, -1f);
+    fronts = _e58;
+    fronts.side = -1f;
+    let _e63 = origin_28;
+    let _e64 = pair_6;
+    let _e68 = body_13;
+    let _e70 = fronts;
+    let _e71 = view_49;
+    let _e72 = backFaceExit(_e63, _e64.core.direction, 0f, _e68.ior, _e70, _e71);
+    front_1 = _e72;
+    let _e74 = front_1;
+    if !(_e74.found) {
+        let _e77 = pair_6;
+        let _e78 = origin_28;
+        let _e79 = inside_10;
+        let _e80 = view_49;
+        let _e81 = pairRadiance(_e77, _e78, _e79, _e80);
+        return _e81;
+    }
+    let _e82 = pair_6;
+    let _e84 = lobeOnward(_e82.core);
+    outer = _e84;
+    let _e86 = outer;
+    let _e88 = front_1;
+    let _e91 = k_42;
+    let _e92 = engineLeavingPair(_e86, true, _e88.exit.surface, _e91);
+    entered_3 = _e92;
+    let _e94 = entered_3;
+    let _e96 = entered_3;
+    let _e98 = mergeLobes(_e94.core, _e96.rest);
+    let _e99 = lobeOnward(_e98);
+    inner_13 = _e99;
+    let _e101 = origin_28;
+    let _e102 = front_1;
+    let _e105 = outer;
+    point_4 = (_e101 + (_e102.exit.path * _e105.direction));
+    let _e110 = point_4;
+    let _e111 = inner_13;
+    let _e113 = body_13;
+    let _e116 = front_1;
+    let _e118 = leavingFaces(SECOND_BACKS, _e116.number);
+    let _e119 = view_49;
+    let _e120 = wayOut(_e110, _e111, (1f / _e113.ior), _e118, REFLECTIONS_INSIDE, _e119);
+    way_11 = _e120;
+    let _e122 = way_11;
+    if !(_e122.found) {
+        let _e125 = pair_6;
+        let _e126 = origin_28;
+        let _e127 = inside_10;
+        let _e128 = view_49;
+        let _e129 = pairRadiance(_e125, _e126, _e127, _e128);
+        return _e129;
+    }
+    let _e130 = way_11;
+    let _e133 = way_11;
+    let _e136 = k_42;
+    let _e137 = engineLeavingPair(_e130.lobe, true, _e133.exit.surface, _e136);
+    beyond_1 = _e137;
+    let _e139 = front_1;
+    let _e142 = way_11;
+    let _e145 = body_13;
+    between = (_e139.exit.path + (_e142.exit.path / _e145.ior));
+    let _e152 = outer;
+    beyond_1.core.inner = _e152.sigma;
+    let _e156 = outer;
+    beyond_1.rest.inner = _e156.sigma;
+    let _e158 = outer;
+    if (_e158.weight > 0f) {
+        let _e162 = beyond_1;
+        let _e165 = beyond_1;
+        let _e169 = outer;
+        local_123 = ((_e162.core.weight + _e165.rest.weight) / _e169.weight);
+    } else {
+        local_123 = 0f;
+    }
+    let _e174 = local_123;
+    passed_2 = _e174;
+    let _e176 = pair_6;
+    aside = _e176.rest;
+    let _e180 = pair_6;
+    let _e183 = beyond_1;
+    let _e187 = pair_6;
+    aside.direction = normalize(((_e180.rest.direction + _e183.core.direction) - _e187.core.direction));
+    let _e193 = aside;
+    let _e195 = passed_2;
+    aside.weight = (_e193.weight * _e195);
+    let _e198 = beyond_1;
+    let _e200 = aside;
+    let _e201 = mergeLobes(_e198.rest, _e200);
+    beyond_1.rest = _e201;
+    let _e202 = way_11;
+    let _e206 = body_13;
+    let _e210 = beyond_1;
+    let _e211 = way_11;
+    let _e213 = between;
+    let _e214 = view_49;
+    let _e215 = pairRadiance(_e210, _e211.point, _e213, _e214);
+    sum_16 = (exp((-(_e202.exit.path) * _e206.attenuation)) * _e215);
+    let _e218 = outer;
+    let _e220 = front_1;
+    cosTheta_65 = dot(_e218.direction, _e220.exit.surface.n);
+    let _e226 = front_1;
+    alpha_115 = _e226.exit.surface.alpha;
+    let _e231 = pair_6;
+    let _e234 = pair_6;
+    let _e238 = cosTheta_65;
+    let _e239 = alpha_115;
+    let _e240 = body_13;
+    let _e242 = engineFaceEnergy(_e238, _e239, _e240.ior);
+    weight_3 = ((_e231.core.weight + _e234.rest.weight) * _e242.reflected);
+    let _e246 = outer;
+    let _e249 = cosTheta_65;
+    let _e251 = front_1;
+    mirrored = (_e246.direction - ((2f * _e249) * _e251.exit.surface.n));
+    let _e258 = sum_16;
+    let _e259 = weight_3;
+    let _e260 = mirrored;
+    let _e261 = outer;
+    let _e263 = outer;
+    let _e267 = alpha_115;
+    let _e269 = alpha_115;
+    let _e275 = engineEnvironment(_e260, min(sqrt(((_e261.sigma * _e263.sigma) + ((4f * _e267) * _e269))), 0.606f));
+    return (_e258 + (_e259 * _e275));
+}
+
+fn refractTwoPairs(face_26: GlassFace, body_14: ConvexBody, number_6: f32, view_50: SceneView, k_43: Widening) -> vec3<f32> {
+    var face_27: GlassFace;
+    var body_15: ConvexBody;
+    var number_7: f32;
+    var view_51: SceneView;
+    var k_44: Widening;
+    var entered_4: Entering;
+    var core_10: WayOut;
+    var tail_6: WayOut;
+    var left_3: Leaving;
+    var sum_17: vec3<f32>;
+
+    face_27 = face_26;
+    body_15 = body_14;
+    number_7 = number_6;
+    view_51 = view_50;
+    k_44 = k_43;
+    let _e54 = face_27;
+    let _e55 = body_15;
+    let _e57 = enterGlass(_e54, _e55.ior);
+    entered_4 = _e57;
+    let _e59 = face_27;
+    let _e61 = entered_4;
+    let _e64 = body_15;
+    let _e67 = number_7;
+    let _e68 = view_51;
+    let _e69 = wayOutOfTwo(_e59.position, _e61.core, (1f / _e64.ior), _e67, _e68);
+    core_10 = _e69;
+    let _e71 = core_10;
+    if !(_e71.found) {
+        let _e74 = face_27;
+        let _e75 = body_15;
+        let _e76 = view_51;
+        let _e77 = k_44;
+        let _e78 = refractConvex(_e74, _e75, _e76, _e77);
+        return _e78;
+    }
+    let _e80 = core_10;
+    entered_4.core = _e80.lobe;
+    let _e82 = core_10;
+    tail_6 = _e82;
+    let _e84 = entered_4;
+    if (_e84.tail.weight > 0f) {
+        {
+            let _e89 = face_27;
+            let _e91 = entered_4;
+            let _e94 = body_15;
+            let _e97 = number_7;
+            let _e98 = view_51;
+            let _e99 = wayOutOfTwo(_e89.position, _e91.tail, (1f / _e94.ior), _e97, _e98);
+            tail_6 = _e99;
+            let _e100 = tail_6;
+            if _e100.found {
+                let _e103 = tail_6;
+                entered_4.tail = _e103.lobe;
+            }
+            let _e105 = tail_6;
+            if !(_e105.found) {
+                let _e109 = core_10;
+                tail_6.exit = _e109.exit;
+            }
+        }
+    }
+    let _e111 = face_27;
+    let _e112 = body_15;
+    let _e113 = entered_4;
+    let _e114 = core_10;
+    let _e116 = tail_6;
+    let _e118 = k_44;
+    let _e119 = leaveGlass(_e111, _e112, _e113, _e114.exit, _e116.exit, _e118);
+    left_3 = _e119;
+    let _e121 = left_3;
+    let _e123 = core_10;
+    let _e125 = core_10;
+    let _e128 = body_15;
+    let _e129 = view_51;
+    let _e130 = k_44;
+    let _e131 = secondBody(_e121.pair, _e123.point, _e125.exit.path, _e128, _e129, _e130);
+    sum_17 = _e131;
+    let _e133 = sum_17;
+    let _e134 = core_10;
+    let _e138 = body_15;
+    let _e143 = face_27;
+    let _e144 = body_15;
+    let _e145 = entered_4;
+    let _e147 = entered_4;
+    let _e149 = core_10;
+    let _e151 = left_3;
+    let _e153 = internallyReflected(_e143, _e144, _e145.core, _e147.energy, _e149.exit, _e151.passed);
+    return ((_e133 * exp((-(_e134.exit.path) * _e138.attenuation))) + _e153);
 }

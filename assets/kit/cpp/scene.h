@@ -299,10 +299,12 @@ inline int last_level_of(int width, int height) {
   return std::max(0, int(std::log2(std::min(width, height))) - 2);
 }
 
-// What the command line asks for: [SCENE.glb [ENVIRONMENT.hdr [OUT.hdr [WIDTH HEIGHT [SAMPLES along each axis of a pixel]]]]]
+// What the command line asks for: [SCENE.glb [ENVIRONMENT.hdr [OUT.hdr [WIDTH HEIGHT [SAMPLES along each axis of a pixel [TIER]]]]]]
+// TIER: faces (the nearest back faces of glass) or pairs (and the faces behind those)
 struct Asked {
   std::string scene = "scene.glb", environment = "environment.hdr", out = "picture.hdr";
   int width = 640, height = 480, samples = 2;
+  bool pairs = false;
 };
 inline Asked asked_of(int argc, char** argv) {
   Asked asked;
@@ -313,6 +315,7 @@ inline Asked asked_of(int argc, char** argv) {
       *names[k - 1] = argv[k];
     else
       *numbers[k - 4] = std::atoi(argv[k]);
+  if (argc > 7) asked.pairs = std::string(argv[7]) == "pairs";
   if (asked.width < 8 || asked.height < 8 || asked.samples < 1)
     fail("sizes are 8 x 8 pixels and more, samples 1 and more");
   return asked;

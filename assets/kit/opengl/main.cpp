@@ -1,5 +1,5 @@
 // Rough glass in OpenGL 4.5, offscreen: README.md beside this file says what each pass is.
-//   rough_glass [SCENE.glb [ENVIRONMENT.hdr [OUT.hdr [WIDTH HEIGHT [SAMPLES]]]]]
+//   rough_glass [SCENE.glb [ENVIRONMENT.hdr [OUT.hdr [WIDTH HEIGHT [SAMPLES [TIER]]]]]]
 #define GL_GLEXT_PROTOTYPES
 #include "scene.h"
 
@@ -107,17 +107,21 @@ struct Body {
   GLuint array, color, roughness;
 };
 
-// Bindings are those of the shaders: blocks 0 and 1, textures 2 to 11.
-enum { FRAME, DRAW, COLOR, ROUGHNESS, ENERGY, LOBES, REFLECTION, PYRAMID, DEPTH, EVEN, ODD, BACKS };
+// One layer of faces of glass.
+struct FaceLayer {
+  GLuint program, target;
+};
+
+// Bindings are those of the shaders: blocks 0 and 1, textures 2 to 13.
+enum { FRAME, DRAW, COLOR, ROUGHNESS, ENERGY, LOBES, REFLECTION, PYRAMID, DEPTH, EVEN, ODD, BACKS, SECOND_FRONTS, SECOND_BACKS };
 
 class Renderer {
 public:
-  Renderer(const Scene& scene, const Environment& map, int width, int height)
+  Renderer(const Scene& scene, const Environment& map, int width, int height, bool pairs)
       : scene_(scene), width_(width), height_(height), last_(last_level_of(width, height)) {
     sky_ = program_of("fullscreen.vert", "sky.frag");
     body_ = program_of("mesh.vert", "body.frag");
-    glass_ = program_of("mesh.vert", "glass.frag");
-    backs_ = program_of("mesh.vert", "back_faces.frag");
+    glass_ = program_of("mesh.vert", pairs ? "glass_pairs.frag" : "glass.frag");
     halve_ = program_of("fullscreen.vert", "halve.frag");
     glCreateVertexArrays(1, &nothing_);
     glCreateBuffers(2, blocks_);
@@ -130,17 +134,21 @@ public:
       glBindTextureUnit(GLuint(ENERGY + k), table_texture(tables[k]));
     for (const Mesh& mesh : scene.meshes)
       bodies_.push_back(body_of(mesh));
-    const GLuint back = texture_of(GL_RGBA32F, width, height, 1, GL_NEAREST);
     scene_depth_ = texture_of(GL_DEPTH_COMPONENT32F, width, height, 1, GL_NEAREST);
     pyramid_ = texture_of(GL_RGBA16F, width, height, last_ + 1, GL_LINEAR);
     for (int k = 0; k <= last_; ++k)
       levels_.push_back(target_of(pyramid_, k == 0 ? scene_depth_ : 0, k));
-    back_target_ = target_of(back, texture_of(GL_DEPTH_COMPONENT32F, width, height, 1, GL_NEAREST));
+    const char* const layers[] = {"back_faces.frag", "second_fronts.frag", "second_backs.frag"};
+    const GLuint depth = texture_of(GL_DEPTH_COMPONENT32F, width, height, 1, GL_NEAREST);
+    for (GLuint k = 0; k < (pairs ? 3U : 1U); ++k) {
+      const GLuint faces = texture_of(GL_RGBA32F, width, height, 1, GL_NEAREST);
+      faces_.push_back({program_of("mesh.vert", layers[k]), target_of(faces, depth)});
+      glBindTextureUnit(BACKS + k, faces);
+    }
     frame_ = target_of(texture_of(GL_RGBA16F, width, height, 1, GL_NEAREST),
                        texture_of(GL_DEPTH_COMPONENT32F, width, height, 1, GL_NEAREST));
     glBindTextureUnit(PYRAMID, pyramid_);
     glBindTextureUnit(DEPTH, scene_depth_);
-    glBindTextureUnit(BACKS, back);
     blur_environment(map);
   }
 
@@ -160,7 +168,7 @@ public:
     }
     glTextureParameteri(pyramid_, GL_TEXTURE_BASE_LEVEL, 0);
     glTextureParameteri(pyramid_, GL_TEXTURE_MAX_LEVEL, last_);
-    draw_back_faces(); // 3. where rays leave the glass
+    draw_faces();      // 3. where rays leave the glass
     draw_glass();      // 4. glass, over what is not
     std::vector<float> texels(4U * width_ * height_);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
@@ -254,15 +262,18 @@ private:
     glDisable(GL_CULL_FACE);
   }
 
-  void draw_back_faces() {
-    glBindFramebuffer(GL_FRAMEBUFFER, back_target_);
+  // The nearest back faces, the front faces behind those, the back faces behind these.
+  void draw_faces() {
     glViewport(0, 0, width_, height_);
     glEnable(GL_DEPTH_TEST);
-    glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_CULL_FACE);
-    glCullFace(GL_FRONT);
-    draw_meshes(backs_, true);
+    glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    for (std::size_t k = 0; k < faces_.size(); ++k) {
+      glBindFramebuffer(GL_FRAMEBUFFER, faces_[k].target);
+      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+      glCullFace(k == 1 ? GL_BACK : GL_FRONT);
+      draw_meshes(faces_[k].program, true);
+    }
     glCullFace(GL_BACK);
     glDisable(GL_CULL_FACE);
   }
@@ -270,8 +281,8 @@ private:
   const Scene& scene_;
   const Levels environment_;
   const int width_, height_, last_;
-  GLuint sky_, body_, glass_, backs_, halve_, nothing_, blocks_[2], scene_depth_, pyramid_,
-      back_target_, frame_;
+  GLuint sky_, body_, glass_, halve_, nothing_, blocks_[2], scene_depth_, pyramid_, frame_;
+  std::vector<FaceLayer> faces_;
   std::vector<GLuint> levels_;
   std::vector<Body> bodies_;
 };
@@ -282,7 +293,7 @@ int main(int argc, char** argv) {
   const Asked asked = asked_of(argc, argv);
   open_device();
   const Scene scene = scene_of(asked.scene);
-  Renderer renderer(scene, environment_of(asked.environment), asked.width, asked.height);
+  Renderer renderer(scene, environment_of(asked.environment), asked.width, asked.height, asked.pairs);
   const Averaged averaged = averaged_of(renderer, asked);
   if (glGetError() != GL_NO_ERROR) fail("OpenGL reports an error");
   stbi_flip_vertically_on_write(1);

@@ -1,10 +1,12 @@
-// Rough glass: refraction through both faces, and the front face's own reflection.
+// Rough glass: refraction through both faces, and the front face's own reflection. glass_pairs.frag: through two pairs of faces.
 #include "frame.glsl"
 #include "draw.glsl"
-#snippets front_back_refraction
+#snippets two_pair_refraction
 GG_SAMPLER(2) sampler2D ggBaseColor;
 GG_SAMPLER(3) sampler2D ggRoughness;
 GG_SAMPLER(11) sampler2D ggBackFaces;
+GG_SAMPLER(12) sampler2D ggSecondFronts;
+GG_SAMPLER(13) sampler2D ggSecondBacks;
 GG_VARYING(0) in vec3 vPosition;
 GG_VARYING(1) in vec3 vNormal;
 GG_VARYING(2) in vec2 vUv;
@@ -20,7 +22,11 @@ float gg_engineSceneDepth(vec2 at) { // depth 0 near, 1 far, not reversed
   float z = textureLod(ggDepth, clamp(ggPlace(at), 0.5 / ggPicture.xy, 1.0 - 0.5 / ggPicture.xy), 0.0).x;
   return z >= 1.0 ? 1e30 : ggRange.x * ggRange.y / (ggRange.y - z * (ggRange.y - ggRange.x));
 }
-vec4 gg_engineBackFace(vec2 at) { return textureLod(ggBackFaces, ggPlace(at), 0.0); }
+vec4 gg_engineFace(int layer, vec2 at) {
+  if (layer == gg_BACK_FACES) return textureLod(ggBackFaces, ggPlace(at), 0.0);
+  if (layer == gg_SECOND_FRONTS) return textureLod(ggSecondFronts, ggPlace(at), 0.0);
+  return textureLod(ggSecondBacks, ggPlace(at), 0.0);
+}
 vec3 gg_engineEnvironment(vec3 direction, float sigma) { return ggEnvironment(direction, sigma); }
 
 void main() {
@@ -56,6 +62,10 @@ void main() {
   view.focal = ggPicture.z;
   view.reach = ggRange.z;
   vec3 color = ggColor.rgb * texture(ggBaseColor, vUv).rgb;
+#ifdef GG_TWO_PAIRS
+  vec3 through = color * gg_refractTwoPairs(face, body, ggGlass.w, view, gg_wideningGgx(2));
+#else
   vec3 through = color * gg_refractFrontBack(face, body, ggGlass.w, view, gg_wideningGgx(2));
+#endif
   pixel = vec4(through + gg_reflectGlass(face, body.ior, view), 1.0);
 }

@@ -10,14 +10,18 @@ const glassLayer = 31;
 let drawing = false; // while a frame is drawn three must not see our materials as its own transmissive ones
 
 const tables = {
-  ggEnergy: { value: null }, ggLobes: { value: null }, ggReflection: { value: null }, ggPyramid: { value: null }, ggDepth: { value: null }, ggBackFaces: { value: null },
+  ggEnergy: { value: null }, ggLobes: { value: null }, ggReflection: { value: null }, ggPyramid: { value: null }, ggDepth: { value: null }, ggLayers: { value: [] },
   ggEnvironmentEven: { value: null }, ggEnvironmentOdd: { value: null }, ggTiles: { value: [] }, ggAtlas: { value: new THREE.Vector4() },
   ggClipFromWorld: { value: new THREE.Matrix4() }, ggPicture: { value: new THREE.Vector4() }, ggRange: { value: new THREE.Vector4() },
 };
 
+const zeros = new THREE.DataTexture(new Float32Array(4), 1, 1, THREE.RGBAFormat, THREE.FloatType);
+zeros.needsUpdate = true;
+const before = { value: zeros }; // of the layer of faces that is drawn, the one that it lies behind
+
 const fragmentDeclarations = /* glsl */`
 uniform highp sampler3D ggEnergy, ggLobes, ggReflection;
-uniform sampler2D ggPyramid, ggDepth, ggBackFaces, ggEnvironmentEven, ggEnvironmentOdd;
+uniform sampler2D ggPyramid, ggDepth, ggEnvironmentEven, ggEnvironmentOdd, ggLayers[LAYERS];
 uniform vec3 ggTiles[LEVELS]; // texels along an edge, first row, sigma
 uniform vec4 ggAtlas; // width, heights of both, intensity
 uniform vec4 ggPicture; // width, height, pixels per unit of tangent, last level
@@ -41,7 +45,14 @@ float gg_engineSceneDepth(vec2 at) {
   float z = textureLod(ggDepth, clamp(uv, 0.5 / ggPicture.xy, 1.0 - 0.5 / ggPicture.xy), 0.0).x;
   return z >= 1.0 ? 1e30 : ggRange.x * ggRange.y / (ggRange.y - z * (ggRange.y - ggRange.x));
 }
-vec4 gg_engineBackFace(vec2 at) { return textureLod(ggBackFaces, vec2(at.x, ggPicture.y - at.y) / ggPicture.xy, 0.0); }
+vec4 gg_engineFace(int layer, vec2 at) {
+  vec2 uv = vec2(at.x, ggPicture.y - at.y) / ggPicture.xy;
+  #ifdef GG_TWO_PAIRS
+    if (layer == gg_SECOND_FRONTS) return textureLod(ggLayers[1], uv, 0.0);
+    if (layer == gg_SECOND_BACKS) return textureLod(ggLayers[2], uv, 0.0);
+  #endif
+  return textureLod(ggLayers[0], uv, 0.0);
+}
 // Octahedral tiles, each with a border of one texel.
 vec3 ggTile(sampler2D atlas, float height, vec3 tile, vec2 p) {
   vec2 texel = vec2(1.0, tile.y + 1.0) + (0.5 + 0.5 * p) * tile.x;
@@ -96,7 +107,11 @@ const fragmentBody = /* glsl */`
     ggView.reach = ggRange.z;
     gg_Widening ggWiden;
     if (ggBeckmann > 0.5) ggWiden = gg_wideningBeckmann(2); else ggWiden = gg_wideningGgx(2);
-    vec3 ggThrough = material.diffuseContribution * gg_refractFrontBack(ggFace, ggBody, ggRange.w * ggNumber(), ggView, ggWiden);
+    #ifdef GG_TWO_PAIRS
+      vec3 ggThrough = material.diffuseContribution * gg_refractTwoPairs(ggFace, ggBody, ggRange.w * ggNumber(), ggView, ggWiden);
+    #else
+      vec3 ggThrough = material.diffuseContribution * gg_refractFrontBack(ggFace, ggBody, ggRange.w * ggNumber(), ggView, ggWiden);
+    #endif
     float ggAmount = ggTransmission;
     #ifdef GG_TRANSMISSION_MAP
       ggAmount *= texture2D(ggTransmissionMap, vUv).r;
@@ -125,9 +140,9 @@ export class GroundglassMaterial extends THREE.MeshPhysicalMaterial {
     this.glass.ggAttenuation = { value: new THREE.Vector3() };
     this.glass.ggThicknessMap = { value: null };
     this.glass.ggTransmissionMap = { value: null };
-    // Its back faces: octahedral outward normal, metres along the camera's axis, the body's number plus half of alpha.
-    this.backFaces = new THREE.ShaderMaterial({
-      side: THREE.BackSide, toneMapped: false, blending: THREE.NoBlending, uniforms: { roughness: { value: 0 }, map: { value: null }, mapped: { value: false } },
+    // Its faces, layer by layer: octahedral outward normal, metres along the camera's axis, the body's number plus half of alpha.
+    this.faces = new THREE.ShaderMaterial({
+      toneMapped: false, blending: THREE.NoBlending, uniforms: { roughness: { value: 0 }, map: { value: null }, mapped: { value: false }, before },
       vertexShader: `out vec3 outward; out float metres; out vec2 place;
         void main() {
           place = uv;
@@ -143,8 +158,10 @@ export class GroundglassMaterial extends THREE.MeshPhysicalMaterial {
           gl_Position = projectionMatrix * world;
         }`,
       fragmentShader: `precision highp float; in vec3 outward; in float metres; in vec2 place; out vec4 pixel;
-        uniform mat4 modelMatrix; uniform float roughness; uniform sampler2D map; uniform bool mapped; ${bodyNumber}
+        uniform mat4 modelMatrix; uniform float roughness; uniform sampler2D map; uniform bool mapped; uniform sampler2D before; ${bodyNumber}
         void main() {
+          // Behind the layer before; two surfaces that touch differ by rounding alone: a millionth.
+          if (metres <= 1.000001 * texelFetch(before, min(ivec2(gl_FragCoord.xy), textureSize(before, 0) - 1), 0).z) discard;
           vec3 n = outward / (abs(outward.x) + abs(outward.y) + abs(outward.z));
           vec2 p = n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
           float rough = mapped ? roughness * texture(map, place).g : roughness;
@@ -188,18 +205,23 @@ export class GroundglassMaterial extends THREE.MeshPhysicalMaterial {
         ggScale = vec3(length(modelMatrix[0].xyz), length(modelMatrix[1].xyz), length(modelMatrix[2].xyz));`);
     shader.fragmentShader = shader.fragmentShader
       .replace('#include <common>', '#include <common>\nuniform mat4 modelMatrix;\n' + bodyNumber
-        + fragmentDeclarations.replaceAll('LEVELS', String(environmentLevels.length)))
+        + fragmentDeclarations.replaceAll('LEVELS', String(environmentLevels.length)).replace('LAYERS', 'GG_TWO_PAIRS' in this.defines ? '3' : '1'))
       .replace('#include <transmission_fragment>', fragmentBody);
   }
 
-  update() {
+  update(pairs) {
+    if (pairs !== ('GG_TWO_PAIRS' in this.defines)) {
+      if (pairs) this.defines.GG_TWO_PAIRS = '';
+      else delete this.defines.GG_TWO_PAIRS;
+      this.needsUpdate = true;
+    }
     const glass = this.glass;
     glass.ggTransmission.value = this._transmission;
     glass.ggThickness.value = this.thickness;
     glass.ggCurvature.value = this.curvature ?? -1;
     glass.ggIor.value = this.ior;
     glass.ggBackAlpha.value = this.backRoughness === null ? -1 : this.backRoughness ** 2;
-    const back = this.backFaces.uniforms;
+    const back = this.faces.uniforms;
     back.roughness.value = this.backRoughness ?? this.roughness;
     back.map.value = this.roughnessMap;
     back.mapped.value = this.backRoughness === null && this.roughnessMap !== null;
@@ -268,7 +290,10 @@ export class Groundglass {
           + textureLod(source, uv01 + vec2(d.x, -d.y), 0.0) + textureLod(source, uv01 + vec2(-d.x, d.y), 0.0));
       }`, { source: { value: null }, texel: { value: new THREE.Vector2() } });
     this.beckmann = 0;
-    this.backFaces = true;
+    // 'convex': every body is taken for a lens of its thickness; 'faces': with a pass for back faces; 'pairs': two passes more, for the far wall
+    // of a hollow body and for glass behind glass.
+    this.tier = 'faces';
+    this.layers = [];
     this.environment = null;
   }
 
@@ -355,8 +380,9 @@ export class Groundglass {
   }
 
   resize(width, height) {
-    if (this.scene?.width === width && this.scene.height === height) return;
-    for (const one of [this.scene, this.pyramid, this.backs, ...(this.steps ?? [])]) one?.dispose();
+    const count = { convex: 0, faces: 1, pairs: 3 }[this.tier];
+    if (this.scene?.width === width && this.scene.height === height && this.layers.length === count) return;
+    for (const one of [this.scene, this.pyramid, ...this.layers, ...(this.steps ?? [])]) one?.dispose();
     const half = { type: THREE.HalfFloatType, depthBuffer: false, generateMipmaps: false };
     const depthTexture = new THREE.DepthTexture(width, height, THREE.FloatType);
     this.scene = new THREE.WebGLRenderTarget(width, height, { type: THREE.HalfFloatType, depthTexture });
@@ -367,9 +393,10 @@ export class Groundglass {
     this.pyramid = new THREE.WebGLRenderTarget(width, height, { ...half, minFilter: THREE.LinearMipmapLinearFilter });
     this.pyramid.texture.mipmaps = Array.from({ length: levels }, () => ({}));
     this.renderer.initRenderTarget(this.pyramid);
-    this.backs = new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, generateMipmaps: false });
+    const nearest = { type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, generateMipmaps: false };
+    this.layers = Array.from({ length: count }, () => new THREE.WebGLRenderTarget(width, height, nearest));
     tables.ggPyramid.value = this.pyramid.texture;
-    tables.ggBackFaces.value = this.backs.texture;
+    tables.ggLayers.value = count > 0 ? this.layers.map((layer) => layer.texture) : [zeros];
     tables.ggDepth.value = depthTexture;
   }
 
@@ -394,7 +421,7 @@ export class Groundglass {
         renderer.toneMapping = tone;
         for (const one of glass) one.visible = true;
         this.keepingState(() => this.blur());
-        if (this.backFaces) this.drawBackFaces(scene, camera, glass);
+        if (this.layers.length > 0) this.drawFaces(scene, camera, glass);
       }
       renderer.setRenderTarget(target);
       renderer.render(scene, camera);
@@ -403,20 +430,24 @@ export class Groundglass {
     }
   }
 
-  // The second tier: where rays leave the glass.
-  drawBackFaces(scene, camera, glass) {
+  // The second and third tier, where rays leave the glass: the nearest back faces, the front faces behind those, the back faces behind these.
+  drawFaces(scene, camera, glass) {
     const { renderer } = this, { background } = scene, layers = camera.layers.mask, color = renderer.getClearColor(new THREE.Color()), alpha = renderer.getClearAlpha();
     const materials = glass.map(({ material }) => material);
     for (const one of glass) {
       one.layers.enable(glassLayer);
-      one.material = one.material.backFaces;
+      one.material = one.material.faces;
     }
     camera.layers.set(glassLayer);
     scene.background = null;
     renderer.setClearColor(0, 0);
-    renderer.setRenderTarget(this.backs);
-    renderer.clear();
-    renderer.render(scene, camera);
+    this.layers.forEach((layer, k) => {
+      for (const one of glass) one.material.side = k === 1 ? THREE.FrontSide : THREE.BackSide;
+      before.value = k > 0 ? this.layers[k - 1].texture : zeros;
+      renderer.setRenderTarget(layer);
+      renderer.clear();
+      renderer.render(scene, camera);
+    });
     renderer.setClearColor(color, alpha);
     scene.background = background;
     camera.layers.mask = layers;
@@ -447,9 +478,9 @@ export class Groundglass {
     box.getBoundingSphere(bounds);
     tables.ggClipFromWorld.value.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     tables.ggPicture.value.set(size.x, size.y, 0.5 * size.y * camera.projectionMatrix.elements[5], this.steps.length);
-    tables.ggRange.value.set(camera.near, camera.far, Math.max(2.04 * bounds.radius, camera.near), this.backFaces ? 1 : 0);
+    tables.ggRange.value.set(camera.near, camera.far, Math.max(2.04 * bounds.radius, camera.near), this.tier === 'convex' ? 0 : 1);
     for (const { material } of glass) {
-      material.update();
+      material.update(this.tier === 'pairs');
       material.glass.ggBeckmann.value = this.beckmann;
     }
   }

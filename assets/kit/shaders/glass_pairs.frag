@@ -1,0 +1,2 @@
+#define GG_TWO_PAIRS
+#include "glass.frag"
