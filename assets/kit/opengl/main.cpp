@@ -113,7 +113,22 @@ struct FaceLayer {
 };
 
 // Bindings are those of the shaders: blocks 0 and 1, textures 2 to 13.
-enum { FRAME, DRAW, COLOR, ROUGHNESS, ENERGY, LOBES, REFLECTION, PYRAMID, DEPTH, EVEN, ODD, BACKS, SECOND_FRONTS, SECOND_BACKS };
+enum {
+  FRAME,
+  DRAW,
+  COLOR,
+  ROUGHNESS,
+  ENERGY,
+  LOBES,
+  REFLECTION,
+  PYRAMID,
+  DEPTH,
+  EVEN,
+  ODD,
+  BACKS,
+  SECOND_FRONTS,
+  SECOND_BACKS
+};
 
 class Renderer {
 public:
@@ -168,8 +183,8 @@ public:
     }
     glTextureParameteri(pyramid_, GL_TEXTURE_BASE_LEVEL, 0);
     glTextureParameteri(pyramid_, GL_TEXTURE_MAX_LEVEL, last_);
-    draw_faces();      // 3. where rays leave the glass
-    draw_glass();      // 4. glass, over what is not
+    draw_faces(); // 3. where rays leave the glass
+    draw_glass(); // 4. glass, over what is not
     std::vector<float> texels(4U * width_ * height_);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, texels.data());
@@ -293,7 +308,8 @@ int main(int argc, char** argv) {
   const Asked asked = asked_of(argc, argv);
   open_device();
   const Scene scene = scene_of(asked.scene);
-  Renderer renderer(scene, environment_of(asked.environment), asked.width, asked.height, asked.pairs);
+  Renderer renderer(scene, environment_of(asked.environment), asked.width, asked.height,
+                    asked.pairs);
   const Averaged averaged = averaged_of(renderer, asked);
   if (glGetError() != GL_NO_ERROR) fail("OpenGL reports an error");
   stbi_flip_vertically_on_write(1);

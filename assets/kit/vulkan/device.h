@@ -196,7 +196,8 @@ inline VkBufferImageCopy whole(const Image& image) {
           .imageExtent = {std::uint32_t(image.size[0]), std::uint32_t(image.size[1]),
                           std::uint32_t(image.size[2])}};
 }
-inline Image image_from(VkFormat format, std::array<int, 3> size, const void* texels, std::size_t bytes) {
+inline Image image_from(VkFormat format, std::array<int, 3> size, const void* texels,
+                        std::size_t bytes) {
   const Image made = image_of(format, size);
   const Buffer staging = buffer_of(bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, texels);
   const VkCommandBuffer buffer = begin();

@@ -291,7 +291,8 @@ private:
   void open_pass(VkImageView color, VkImageView depth, std::array<int, 4> place, bool upwards,
                  bool over = false) {
     wait(buffer_);
-    const VkAttachmentLoadOp clears = over ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
+    const VkAttachmentLoadOp clears =
+        over ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
     const VkRenderingAttachmentInfo into{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
                                          .imageView = color,
                                          .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
@@ -358,7 +359,10 @@ private:
   }
 
   void copy(const Image& from, const Image& to) {
-    const VkImageCopy region{{from.aspect, 0, 0, 1}, {}, {to.aspect, 0, 0, 1}, {},
+    const VkImageCopy region{{from.aspect, 0, 0, 1},
+                             {},
+                             {to.aspect, 0, 0, 1},
+                             {},
                              {std::uint32_t(width_), std::uint32_t(height_), 1}};
     vkCmdCopyImage(buffer_, from.image, VK_IMAGE_LAYOUT_GENERAL, to.image, VK_IMAGE_LAYOUT_GENERAL,
                    1, &region);
@@ -423,6 +427,7 @@ int main(int argc, char** argv) {
   const Asked asked = asked_of(argc, argv);
   open_device();
   const Scene scene = scene_of(asked.scene);
-  Renderer renderer(scene, environment_of(asked.environment), asked.width, asked.height, asked.pairs);
+  Renderer renderer(scene, environment_of(asked.environment), asked.width, asked.height,
+                    asked.pairs);
   write(averaged_of(renderer, asked), asked, properties.deviceName);
 }
