@@ -15,7 +15,8 @@ double material_depth(std::size_t n) {
 
 // As shaders/stages/object.glsl says it.
 int solid_number(const needs::Draw& draw) {
-  return static_cast<int>(draw.instance_index * 4096 + draw.material_index % 4096 + 1);
+  return static_cast<int>(draw.instance_index * 4096 + static_cast<std::size_t>(draw.body) % 4096
+                          + 1);
 }
 
 // Samples lie up to half a pixel off.

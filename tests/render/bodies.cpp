@@ -112,6 +112,20 @@ TEST_P(Render, the_far_side_of_a_body_shows_its_own_colour) {
   }
 }
 
+TEST_P(Render, a_body_is_there_whatever_the_order_of_materials) {
+  scene::Scene scene = square(unlit(glm::vec3(0.5f)));
+  scene.instances[0].world =
+      glm::scale(glm::translate(glm::mat4(1.0f), {0, 0, -2}), glm::vec3(9.0f));
+  add(scene, ball(glass(0.0f)), glm::mat4(1.0f));
+  scene::Scene turned = scene;
+  std::swap(turned.materials[0], turned.materials[1]);
+  for (scene::Mesh& mesh : turned.meshes)
+    mesh.primitives[0].material = 1 - mesh.primitives[0].material;
+  const environment::Map sky = environment::constant(glm::vec3(1.0f));
+  EXPECT_EQ(draw(turned, {sky, from({0, 0, 4})}).values,
+            draw(scene, {sky, from({0, 0, 4})}).values);
+}
+
 TEST_P(Render, light_passes_one_pane_of_glass_after_another) {
   scene::Material pane = glass(0.0f);
   pane.thickness = 0.0f;
