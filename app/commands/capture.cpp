@@ -223,7 +223,8 @@ void capture(const Options& o) {
                 "is met by no method", "The picture is drawn by the nearest: " + method.name + ".");
 }
 
-// The frames of an animation, one file each. Device and environment serve them all.
+// The frames of an animation, one file each. Device and environment serve them all, and what is on the device as long as nothing
+// but the places of things changes.
 void capture_sequence(Options o) {
   check(o);
   if (!o.out.empty() || !o.json.empty() || o.frames > 0)
@@ -234,7 +235,8 @@ void capture_sequence(Options o) {
   check_sequence(o.sequence, o.scene);
   o.scene.time = o.sequence.from;
   const NamedMethod method = choose_method(o.scene, o.device, o.method).named;
-  scene::Scene scene = load_scene(o.scene);
+  scene::File file(o.scene.scene);
+  scene::Scene scene = load_scene(o.scene, file);
   say_undrawn(o, scene);
   const std::vector<SequenceFrame> frames = frames_of(o.sequence, *scene.posed);
   begin_sequence(o.sequence, o.scene,
@@ -251,20 +253,32 @@ void capture_sequence(Options o) {
   std::optional<environment::Stack> stack;
   if (map) stack = environment::build(*device, *map);
   Progress progress("drawing frames", static_cast<long>(frames.size()));
+  std::optional<frame::Renderer> renderer; // of `scene`
   std::size_t kept = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (std::filesystem::exists(frames[i].path)) {
       ++kept;
     } else {
       o.scene.time = frames[i].time;
-      scene = load_scene(o.scene);
+      scene::Scene posed = load_scene(o.scene, file);
       frame::FrameDesc desc = description(o, size, method);
-      desc.camera = stays ? framed : choose_camera(o.scene, scene, size);
-      if (stays) scene::fit_depth(desc.camera, scene);
-      scene::move_origin_to(desc.camera, scene);
+      desc.camera = stays ? framed : choose_camera(o.scene, posed, size);
+      if (stays) scene::fit_depth(desc.camera, posed);
+      scene::move_origin_to(desc.camera, posed);
       if (stack) desc.environment = lighting(o, *stack);
-      frame::Renderer renderer(*device, scene, desc);
-      image::Image picture = draw(renderer, desc.samples);
+      const bool keeps = renderer && only_moved(scene, posed);
+      if (!keeps) renderer.reset();
+      if (keeps) {
+        scene.instances = std::move(posed.instances);
+        scene.lights = std::move(posed.lights);
+        scene.bounds = posed.bounds;
+        renderer->scene_changed();
+        renderer->set(desc);
+      } else {
+        scene = std::move(posed);
+        renderer.emplace(*device, scene, desc);
+      }
+      image::Image picture = draw(*renderer, desc.samples);
       if (image::is_display_extension(frames[i].path))
         picture = frame::for_display(picture, o.exposure, tone_map);
       image::write(frames[i].path, picture);

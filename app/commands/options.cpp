@@ -124,12 +124,17 @@ glm::vec3 parse_vec3(const std::string& text, const std::string& option) {
 }
 
 scene::Scene load_scene(const SceneOptions& options) {
+  scene::File file(options.scene);
+  return load_scene(options, file);
+}
+
+scene::Scene load_scene(const SceneOptions& options, scene::File& file) {
   if (options.time && !std::isfinite(*options.time))
     refuse("--time", std::to_string(*options.time), "It is a time in seconds.");
   std::optional<scene::Instant> instant;
   if (options.time || !options.animation.empty())
     instant = {.time = options.time.value_or(0.0f), .animation = options.animation};
-  scene::Scene scene = scene::load(options.scene, instant);
+  scene::Scene scene = file.at(instant);
   for (const std::string& material : options.materials)
     scene::apply_material(scene, material);
   return scene;

@@ -6,6 +6,7 @@
 #include "frame/frame_desc.h"
 #include "gpu/device.h"
 #include "needs/features.h"
+#include "scene/load.h"
 #include "scene/scene.h"
 
 #include <cstdio>
@@ -69,6 +70,8 @@ Size parse_size(const std::string& text);
 glm::vec3 parse_vec3(const std::string& text, const std::string& option);
 
 scene::Scene load_scene(const SceneOptions& options);
+// The same of a file that is open.
+scene::Scene load_scene(const SceneOptions& options, scene::File& file);
 scene::Camera choose_camera(const SceneOptions& options, const scene::Scene& scene, Size size);
 // Nothing if the scene is lit by its own lights alone.
 std::optional<environment::Map> load_environment(const SceneOptions& options,

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gg::commands {
@@ -91,6 +92,20 @@ void begin_sequence(const Sequence& s, const SceneOptions& scene, const std::str
                     {"options", typed_view(scene)},
                     {"fps", s.fps},
                     {"from", s.from}});
+}
+
+bool only_moved(const scene::Scene& a, const scene::Scene& b) {
+  const auto same = [](const auto& x, const auto& y, auto equal) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), equal);
+  };
+  return a.indices == b.indices && a.lights.size() == b.lights.size()
+         && same(a.streams, b.streams,
+                 [](const scene::Stream& x, const scene::Stream& y) {
+                   return x.components == y.components && x.values == y.values;
+                 })
+         && same(a.instances, b.instances, [](const scene::Instance& x, const scene::Instance& y) {
+              return x.mesh == y.mesh;
+            });
 }
 
 } // namespace gg::commands

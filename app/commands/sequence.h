@@ -34,4 +34,7 @@ std::vector<SequenceFrame> frames_of(const Sequence& sequence, const scene::Pose
 void begin_sequence(const Sequence& sequence, const SceneOptions& scene,
                     const std::string& drawing);
 
+// Whether two poses of one file differ in nothing but where its meshes, lights and cameras stand.
+bool only_moved(const scene::Scene& a, const scene::Scene& b);
+
 } // namespace gg::commands

@@ -69,6 +69,11 @@ uniforms::MaterialData block_of(const Material& m) {
   set_rows(m.iridescence_map, block.iridescenceRow0, block.iridescenceRow1);
   set_rows(m.iridescence_thickness_map, block.iridescenceThicknessRow0,
            block.iridescenceThicknessRow1);
+  block.diffuseTransmission = glm::vec4(m.diffuse_transmission_color, m.diffuse_transmission);
+  set_rows(m.diffuse_transmission_map, block.diffuseTransmissionRow0,
+           block.diffuseTransmissionRow1);
+  set_rows(m.diffuse_transmission_color_map, block.diffuseTransmissionColorRow0,
+           block.diffuseTransmissionColorRow1);
   return block;
 }
 

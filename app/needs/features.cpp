@@ -64,6 +64,12 @@ bool has_film(const Material& m, const FrameFeatures& frame) {
   return m.iridescence > 0.0f && thickest > 0.0f && transmission_of(m) == Transmission::none;
 }
 
+// The base under a dielectric, where light does not pass it by refraction.
+bool passes_diffuse(const Material& m) {
+  return m.diffuse_transmission > 0.0f && !is_refractive(m) && !m.conductor && !m.unlit
+         && (m.metallic < 1.0f || m.metallic_roughness_map);
+}
+
 // Alpha is 0 everywhere: a map scales roughness, so that one of 0 stays.
 bool is_smooth(const Material& m, int brushed, bool coated) {
   if (brushed > 0) return false;
@@ -98,6 +104,9 @@ bool matters(const MapKind& map, const Material& m, Shading shading, const Frame
   case Feature::iridescence_map:
   case Feature::iridescence_thickness_map:
     return has_film(m, frame);
+  case Feature::diffuse_transmission_map:
+  case Feature::diffuse_transmission_color_map:
+    return passes_diffuse(m);
   default:
     return true;
   }
@@ -195,6 +204,7 @@ Features features_of(const scene::Scene& scene, const Material& m, const Primiti
   const bool coated = has_coat(m, frame);
   set(Feature::clearcoat, coated);
   set(Feature::iridescence, has_film(m, frame));
+  set(Feature::diffuse_transmission, passes_diffuse(m));
   set(Feature::smooth, is_smooth(m, brushed, coated));
   set(Feature::environment, frame.environment);
   set(Feature::lights, frame.lights);

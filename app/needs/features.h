@@ -75,6 +75,9 @@ enum class Feature : std::uint32_t {
   iridescence_map,
   iridescence_thickness_map,
   faces_differ, // base colour or clear share vary over the faces of a solid
+  diffuse_transmission,
+  diffuse_transmission_map,
+  diffuse_transmission_color_map,
   count
 };
 using FeatureSet = std::bitset<static_cast<std::size_t>(Feature::count)>;
@@ -125,7 +128,7 @@ struct MapKind {
   Feature feature;
   bool srgb;
 };
-inline constexpr std::array<MapKind, 15> map_kinds = {{
+inline constexpr std::array<MapKind, 17> map_kinds = {{
     {"baseColorMap", &scene::Material::base_color_map, Feature::base_color_map, true},
     {"metallicRoughnessMap", &scene::Material::metallic_roughness_map,
      Feature::metallic_roughness_map, false},
@@ -145,6 +148,10 @@ inline constexpr std::array<MapKind, 15> map_kinds = {{
     {"iridescenceMap", &scene::Material::iridescence_map, Feature::iridescence_map, false},
     {"iridescenceThicknessMap", &scene::Material::iridescence_thickness_map,
      Feature::iridescence_thickness_map, false},
+    {"diffuseTransmissionMap", &scene::Material::diffuse_transmission_map,
+     Feature::diffuse_transmission_map, false},
+    {"diffuseTransmissionColorMap", &scene::Material::diffuse_transmission_color_map,
+     Feature::diffuse_transmission_color_map, true},
 }};
 
 struct Features {

@@ -1,5 +1,6 @@
 #include "scene/apply.h"
 
+#include "scene/brushing.h"
 #include "scene/presets.h"
 
 #include <fmt/format.h>
@@ -166,6 +167,10 @@ void apply_option(const Reader& read, const std::string& key, const std::string&
     m.attenuation_color = read.color(key, value);
   else if (key == "dispersion")
     m.dispersion = read.number(key, value, 0.0f, unlimited);
+  else if (key == "anisotropy")
+    m.anisotropy_strength = read.number(key, value, 0.0f, 1.0f);
+  else if (key == "anisotropy_rotation")
+    m.anisotropy_rotation = glm::radians(read.number(key, value, -360.0f, 360.0f));
   else if (key == "clearcoat")
     m.clearcoat = read.number(key, value, 0.0f, 1.0f);
   else if (key == "clearcoat_roughness")
@@ -180,7 +185,8 @@ void apply_option(const Reader& read, const std::string& key, const std::string&
     read.fail(
         "there is no setting '" + key.substr(0, 40) + "'",
         "Settings: alpha, roughness, finish, back_alpha, distribution, color, ior, thickness, "
-        "attenuation_distance, attenuation_color, dispersion, clearcoat, clearcoat_roughness, "
+        "attenuation_distance, attenuation_color, dispersion, anisotropy, anisotropy_rotation, "
+        "clearcoat, clearcoat_roughness, "
         "iridescence, iridescence_ior, iridescence_thickness.");
 }
 
@@ -264,6 +270,7 @@ void apply_material(Scene& scene, const std::string& spec) {
   }
   for (std::size_t i = 0; i < targets.size(); ++i)
     scene.materials[static_cast<std::size_t>(targets[i])] = std::move(changed[i]);
+  complete_brushing(scene);
 }
 
 } // namespace gg::scene

@@ -22,6 +22,10 @@
 // attenuation_distance  metres until white has become attenuation_color
 // attenuation_color     as color
 // dispersion            20 / Abbe number
+// anisotropy            strength of brushing, 0..1 (KHR_materials_anisotropy)
+// anisotropy_rotation   degrees from the tangent, counter-clockwise
+// clearcoat             0..1; clearcoat_roughness 0..1
+// iridescence           share with a thin film, 0..1; iridescence_ior at least 1; iridescence_thickness in nanometres
 #pragma once
 
 #include "core/error.h"

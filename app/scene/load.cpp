@@ -1,6 +1,7 @@
 #include "scene/load.h"
 
 #include "scene/apply.h"
+#include "scene/brushing.h"
 #include "scene/compact.h"
 #include "scene/gltf/accessors.h"
 #include "scene/gltf/animation.h"
@@ -139,10 +140,25 @@ std::vector<bool> materials_used(const Scene& scene) {
 
 } // namespace
 
+struct File::Contents {
+  explicit Contents(const std::filesystem::path& file) : path(file.string()), document(file) {}
+  std::string path;
+  Document document;
+  std::optional<std::vector<std::shared_ptr<const image::Image8>>> images; // decoded
+};
+
+File::File(const std::filesystem::path& path) : contents_(std::make_unique<Contents>(path)) {}
+File::~File() = default;
+
 Scene load(const std::filesystem::path& path, const std::optional<Instant>& instant) {
-  Document document(path);
+  return File(path).at(instant);
+}
+
+Scene File::at(const std::optional<Instant>& instant) {
+  Document& document = contents_->document;
+  document.begin_anew();
   Scene scene;
-  scene.path = path.string();
+  scene.path = contents_->path;
   scene.animations = animation_names(document);
   if (instant)
     scene.posed = pose_at(document, *instant);
@@ -164,6 +180,7 @@ Scene load(const std::filesystem::path& path, const std::optional<Instant>& inst
       continue; // what is wrong with it harms nothing
     else if (const auto setting = setting_in_extras(document, i))
       apply_setting(*setting, extent_of(scene, i), scene.materials[static_cast<std::size_t>(i)]);
+  complete_brushing(scene);
   compact(scene);
   scene.bounds = world_bounds(scene);
   if (scene.instances.empty()) note(document.name() + ": has nothing in its scene to draw");
@@ -172,7 +189,12 @@ Scene load(const std::filesystem::path& path, const std::optional<Instant>& inst
          "Check the scale of its nodes.");
   read_cameras(document, hierarchy, scene);
   read_lights(document, hierarchy, scene);
-  decode_images(document, used, scene);
+  if (contents_->images) {
+    scene.images = *contents_->images;
+  } else {
+    decode_images(document, used, scene);
+    contents_->images = scene.images;
+  }
   return scene;
 }
 

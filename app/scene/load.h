@@ -4,8 +4,10 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gg::scene {
 
@@ -23,5 +25,18 @@ struct Instant {
 // wrong, Error(unsupported) if the file requires what this program does not read, Error(usage) if
 // there is no such animation.
 Scene load(const std::filesystem::path& path, const std::optional<Instant>& instant = {});
+
+// The same file at several moments: it is read, checked and parsed once, and its images are decoded once.
+class File {
+public:
+  explicit File(const std::filesystem::path& path);
+  ~File();
+  // As load(). What one pose unpacks does not count against the next.
+  Scene at(const std::optional<Instant>& instant);
+
+private:
+  struct Contents;
+  std::unique_ptr<Contents> contents_;
+};
 
 } // namespace gg::scene

@@ -19,8 +19,8 @@ constexpr Feature features[] = {
      [](const Material& m) { return is_glass(m) && m.clearcoat > 0.0f; }},
     {"KHR_materials_iridescence on glass",
      [](const Material& m) { return is_glass(m) && m.iridescence > 0.0f; }},
-    {"KHR_materials_diffuse_transmission",
-     [](const Material& m) { return m.diffuse_transmission > 0.0f; }},
+    {"KHR_materials_diffuse_transmission on glass",
+     [](const Material& m) { return is_glass(m) && m.diffuse_transmission > 0.0f; }},
 };
 
 } // namespace

@@ -50,12 +50,16 @@ Closure::Closure(const Interface& interface, const glm::dvec3& n, const glm::dve
   // How much each lobe sends on, guessed for the flat mirror. Any share between 0 and 1 is right on
   // average; a tenth at least to each bounds what a wrong guess costs.
   const Fresnel flat = fresnel(std::clamp(glm::dot(n, wo), 0.0, 1.0));
-  double base = dielectric_ * largest(i_.diffuse) * reaches_base(flat);
+  const double before = largest(i_.diffuse), behind = largest(i_.diffuse_behind);
+  double base = dielectric_ * (before + behind) * reaches_base(flat);
   if (i_.many_bounces)
     base += i_.metallic * largest(i_.bounce_tint)
             * (1.0 - i_.many_bounces->at(glm::dot(n, wo), i_.alpha));
   const double lobe = largest(flat.reflected) + dielectric_ * largest(i_.transmit) * flat.entering;
-  diffuse_share_ = largest(i_.diffuse) * dielectric_ > 0.0 || i_.many_bounces
+  if (behind > 0.0)
+    behind_share_ =
+        before > 0.0 || i_.many_bounces ? std::clamp(behind / (before + behind), 0.1, 0.9) : 1.0;
+  diffuse_share_ = (before + behind) * dielectric_ > 0.0 || i_.many_bounces
                        ? std::clamp(base + lobe > 0.0 ? base / (base + lobe) : 0.5, 0.1, 0.9)
                        : 0.0;
   if (!i_.coat) return;
@@ -189,7 +193,7 @@ Scattered Closure::evaluate_base(const glm::dvec3& wi) const {
     if (diffuse_share_ > 0.0) {
       s.f_cos += reaches_base(f) * dielectric_ * i_.diffuse * (facet.wi.z / std::numbers::pi);
       if (i_.many_bounces) s.f_cos += bounced_often(facet.wi.z) * facet.wi.z;
-      s.pdf += diffuse_share_ * facet.wi.z / std::numbers::pi;
+      s.pdf += diffuse_share_ * (1.0 - behind_share_) * facet.wi.z / std::numbers::pi;
     }
     if (lobe_is_delta_ || grazing) return s;
     const Microfacets::Pair p = pair(facet, wi, f64::reflectionHalf(wi, wo_));
@@ -200,6 +204,7 @@ Scattered Closure::evaluate_base(const glm::dvec3& wi) const {
         (1.0 - diffuse_share_) * chances(f).reflect * f64::reflectionPdf(facet, facets_.pdf(p));
     return s;
   }
+  if (behind_share_ > 0.0) return evaluate_behind(wi);
   if (lobe_is_delta_ || !refracts_) return s;
   const f64::Facet facet = f64::transmissionFacet(wi, wo_, n_, i_.eta);
   if (!facet.exists) return s;
@@ -218,13 +223,25 @@ Scattered Closure::evaluate_base(const glm::dvec3& wi) const {
   return s;
 }
 
+// KHR_materials_diffuse_transmission: light from the other side, as it would be scattered from this one.
+Scattered Closure::evaluate_behind(const glm::dvec3& wi) const {
+  Scattered s;
+  const f64::Facet facet = f64::reflectionFacet(wi - 2.0 * glm::dot(wi, n_) * n_, wo_, n_, i_.eta);
+  s.f_cos = reaches_base(fresnel(facet.woDotM)) * dielectric_ * i_.diffuse_behind
+            * (facet.wi.z / std::numbers::pi);
+  s.pdf = diffuse_share_ * behind_share_ * facet.wi.z / std::numbers::pi;
+  return s;
+}
+
 std::optional<Drawn> Closure::sample_diffuse(Random& random) const {
   // Malley: uniform on the disc, lifted to the hemisphere, has density cos / pi.
   const glm::dvec2 u = random.uniform2();
   const double r = std::sqrt(u.x), phi = 2.0 * std::numbers::pi * u.y;
   Drawn drawn;
-  drawn.wi =
-      glm::normalize(r * std::cos(phi) * x_ + r * std::sin(phi) * y_ + std::sqrt(1.0 - u.x) * n_);
+  drawn.transmitted = behind_share_ > 0.0 && random.uniform() < behind_share_;
+  const double up = std::sqrt(1.0 - u.x);
+  drawn.wi = glm::normalize(r * std::cos(phi) * x_ + r * std::sin(phi) * y_
+                            + (drawn.transmitted ? -up : up) * n_);
   const Scattered s = evaluate(drawn.wi);
   if (!(s.pdf > 0.0)) return std::nullopt;
   drawn.weight = s.f_cos / s.pdf;

@@ -47,7 +47,8 @@ struct Interface {
   // that each of its bounces takes on.
   const Albedo* many_bounces = nullptr;
   glm::dvec3 bounce_tint{0.0};
-  glm::dvec3 diffuse{0.0}; // albedo of the base, all shares included
+  glm::dvec3 diffuse{0.0};        // albedo of the base, all shares included
+  glm::dvec3 diffuse_behind{0.0}; // the same of light that it sends to its other side
   // Share of the dielectric whose coat wo meets. From outside the coat lies over all of it. From
   // within a solid opaque parts of the base come first and hide it: the clear share is left.
   double coated = 1.0;
@@ -115,6 +116,7 @@ private:
   Microfacets::Pair pair(const glsl::f64::Facet& facet, const glm::dvec3& wi,
                          const glm::dvec3& h) const;
   Scattered evaluate_base(const glm::dvec3& wi) const;
+  Scattered evaluate_behind(const glm::dvec3& wi) const;
   void add_coat(const glm::dvec3& wi, Scattered& s) const;
   std::optional<Drawn> sample_coat(Random& random) const;
   // Probabilities of following what a facet reflects and what it refracts.
@@ -138,6 +140,7 @@ private:
   bool lobe_is_delta_;
   double coat_share_ = 0.0, coat_chance_ = 0.0; // of light, and of sampling
   double diffuse_share_; // probability of drawing by the cosine: for the base and for many bounces
+  double behind_share_ = 0.0; // of that: of drawing on the other side
 };
 
 } // namespace gg::truth

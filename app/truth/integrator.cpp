@@ -222,7 +222,8 @@ void Integrator::follow(Walk& walk, Path path, Intersection m, const Drawn& draw
   using Face = Intersection::Face;
   const bool alone = settings_.transport == Transport::surface_only;
   const bool across = drawn.transmitted;
-  const double eta2 = across ? eta * eta : 1.0;
+  const bool refracted = across && m.surface.kind != SurfaceKind::opaque;
+  const double eta2 = refracted ? eta * eta : 1.0;
   path.throughput *= drawn.weight;
   path.scattered = true;
 

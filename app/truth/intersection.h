@@ -52,9 +52,10 @@ struct Intersection {
   bool from_within() const {
     return solid() ? !surface.front : face != Face::first && surface.thickness > 0.0;
   }
-  // Does a scattered ray leave the place, or stay in the wall?
+  // Does a scattered ray leave the place, or stay in the wall? What is opaque sends diffuse light to its other side at once.
   bool leaves(bool transmitted) const {
-    return face == Face::first ? !transmitted || solid() : transmitted;
+    return face == Face::first ? !transmitted || solid() || surface.kind == SurfaceKind::opaque
+                               : transmitted;
   }
   // To the other side of the surface, for a ray that leaves?
   bool crosses(bool transmitted) const {

@@ -214,6 +214,13 @@ Surface Surfaces::read(const Hit& hit, const glm::dvec3& wo) const {
                   + static_cast<double>(m.occlusion_map.scale)
                         * (map(hit, m.occlusion_map, Encoding::linear).x - 1.0);
   s.emissive = glm::dvec3(m.emissive) * glm::dvec3(map(hit, m.emissive_map, Encoding::srgb));
+  if (s.kind == SurfaceKind::opaque && m.diffuse_transmission > 0.0f) {
+    s.diffuse_transmission = static_cast<double>(m.diffuse_transmission)
+                             * map(hit, m.diffuse_transmission_map, Encoding::linear).w;
+    s.diffuse_transmission_color =
+        glm::dvec3(m.diffuse_transmission_color)
+        * glm::dvec3(map(hit, m.diffuse_transmission_color_map, Encoding::srgb));
+  }
   read_layers(hit, b, s);
   if (s.coat) // what the base emits is under it
     s.emissive *= 1.0 - glsl::f64::coatShare(s.coat->strength, glm::dot(s.coat->n, s.wo));
@@ -240,7 +247,8 @@ Interface interface_of(const Surface& s, double near_ior, double far_ior, Smith 
     i.tinted = TintedReflectance{glm::min(f0 * s.specular_color, glm::dvec3(1.0)) * s.specular,
                                  s.specular};
   }
-  i.diffuse = (1.0 - s.transmission) * s.base_color;
+  i.diffuse = (1.0 - s.transmission) * (1.0 - s.diffuse_transmission) * s.base_color;
+  i.diffuse_behind = s.diffuse_transmission * s.diffuse_transmission_color;
   i.transmit = s.transmission * tint;
   if (from_within) i.coated = s.transmission;
   i.coat = s.coat;

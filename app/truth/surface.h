@@ -27,8 +27,10 @@ struct Surface {
 
   glm::dvec3 base_color{1.0}, emissive{0.0}, specular_color{1.0};
   double metallic = 0.0, alpha = 0.0, specular = 1.0, occlusion = 1.0;
-  double transmission = 0.0; // share of the dielectric's base that is refracted
-  double thickness = 0.0;    // of a plate, metres: a sheet with a volume that has no inside
+  double transmission = 0.0;         // share of the dielectric's base that is refracted
+  double thickness = 0.0;            // of a plate, metres: a sheet with a volume that has no inside
+  double diffuse_transmission = 0.0; // share of an opaque base's light that comes out behind it
+  glm::dvec3 diffuse_transmission_color{1.0};
   std::optional<Coat> coat;
   std::optional<ThinFilm> film;
   std::optional<Brushing> brushing;

@@ -24,7 +24,7 @@ using glm::vec4;
 static_assert(offsetof(FrameData, eye) == 128 && sizeof(FrameData) == 512);
 static_assert(offsetof(InstanceData, normalFromMesh) == 64 && sizeof(InstanceData) == 128);
 static_assert(offsetof(LightData, cone) == 48 && sizeof(LightData) == 64);
-static_assert(offsetof(MaterialData, baseColorRow0) == 176 && sizeof(MaterialData) == 656);
+static_assert(offsetof(MaterialData, baseColorRow0) == 192 && sizeof(MaterialData) == 736);
 static_assert(sizeof(NeighbourData) == 112 && offsetof(NeighboursData, each) == 16);
 static_assert(sizeof(RegionData) == 32);
 static_assert(sizeof(ShadowViewData) == 144);

@@ -15,6 +15,7 @@ struct MaterialData {
     vec4 clearcoat;         // x: factor, y: roughness
     vec4 anisotropy;        // x: strength; y, z: cosine and sine of its rotation
     vec4 film;              // x: factor, y: ior; z, w: thickness where its map is 0 and where it is 1, nanometres
+    vec4 diffuseTransmission; // xyz: colour; w: factor
     // KHR_texture_transform of each map: uv' = (row0 . (u, v, 1), row1 . (u, v, 1)); row1.w: scale or strength.
     vec4 baseColorRow0;
     vec4 baseColorRow1;
@@ -46,6 +47,10 @@ struct MaterialData {
     vec4 iridescenceRow1;
     vec4 iridescenceThicknessRow0;
     vec4 iridescenceThicknessRow1;
+    vec4 diffuseTransmissionRow0;
+    vec4 diffuseTransmissionRow1;
+    vec4 diffuseTransmissionColorRow0;
+    vec4 diffuseTransmissionColorRow1;
 };
 
 #ifndef __cplusplus

@@ -78,7 +78,12 @@ EnvironmentLight environmentLobe(Surface s) {
             float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
             float base = shading == 3 ? 1.0 - s.metallic : 1.0;
             if (transmission > 0) base *= 1.0 - s.transmission;
-            light.diffuse += base * under * s.baseColor * around;
+            light.diffuse += base * under * baseReflected(s) * around;
+            if (passesDiffuse) {
+                vec3 behind = wideRadiance(-s.n);
+                if (neighbourKinds != 0) behind = surroundingIrradiance(s.position, -s.n);
+                light.diffuse += base * under * basePassed(s) * behind;
+            }
         }
         if (scattersAgain) light.diffuse += multiplyScattered(s, albedo, reflectance) * around;
     }

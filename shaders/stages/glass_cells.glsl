@@ -2,7 +2,7 @@
 // Frame    pixels from the top left corner; the fragment (i, j) is that of the pixel apart (i, j) + apart / 2
 //          (stages/region_pixel.glsl). The cell (i, j) lies between the fragments (i - 1, j - 1) and (i, j).
 
-layout(constant_id = 45) const int apart = 4;
+layout(constant_id = 55) const int apart = 4;
 
 const float CELL_LEAST_COS = 0.95; // between normals of one cell
 

@@ -11,7 +11,7 @@
 
 layout(binding = 26) uniform usampler2DArray interior; // stages/interior.frag
 
-layout(constant_id = 42) const int mostBounces = 2; // total reflections that are followed
+layout(constant_id = 52) const int mostBounces = 2; // total reflections that are followed
 
 // Light that scatters diffusely in a body that is not convex leaves it on all sides alike: after two reflections inside, paths
 // through the material ball have a mean direction of .1. Smooth walls, between which few ways are open, keep it going forwards.

@@ -7,7 +7,7 @@
 #include "stages/material_features.glsl"
 #include "stages/object.glsl"
 
-layout(constant_id = 43) const bool peels = false; // behind what `nearer` holds, else the nearest
+layout(constant_id = 53) const bool peels = false; // behind what `nearer` holds, else the nearest
 
 layout(binding = 27) uniform usampler2D nearer; // the layer before this one, of the same facing
 

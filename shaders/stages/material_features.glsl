@@ -27,7 +27,7 @@ layout(constant_id = 21) const int thicknessMapUv = 0;
 layout(constant_id = 22) const bool disperses = false;
 layout(constant_id = 23) const bool indexIsOne = false; // bends and reflects nothing
 layout(constant_id = 24) const bool attenuates = false; // absorbs along the way inside
-layout(constant_id = 46) const bool hasNeighbours = false; // reflections show the picture: there is more than one thing
+layout(constant_id = 51) const bool hasNeighbours = false; // reflections show the picture: there is more than one thing
 layout(constant_id = 25) const bool holdsOpaque = false; // something that is in the depth reaches into the box around the solid
 layout(constant_id = 27) const int lobeCount = 1; // that the table of the reflection lobe holds
 layout(constant_id = 28) const bool seenFromWithin = false; // back faces of the solid can be what the camera sees
@@ -44,6 +44,9 @@ layout(constant_id = 38) const bool hasFilm = false; // KHR_materials_iridescenc
 layout(constant_id = 39) const int iridescenceMapUv = 0;
 layout(constant_id = 40) const int iridescenceThicknessMapUv = 0;
 layout(constant_id = 41) const bool facesDiffer = false; // base colour or clear share vary over the faces of a solid
+layout(constant_id = 42) const bool passesDiffuse = false; // KHR_materials_diffuse_transmission
+layout(constant_id = 43) const int diffuseTransmissionMapUv = 0;
+layout(constant_id = 44) const int diffuseTransmissionColorMapUv = 0;
 layout(constant_id = 26) const int interiorPairs = 0; // of front and back faces that the inside is followed through
 
 const bool hasLights = lighting != 0;

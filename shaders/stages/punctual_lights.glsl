@@ -26,7 +26,9 @@ vec3 punctualLight(Surface s) {
         Arrival a = arrivalFrom(lights[i], s.position);
         vec3 light = a.irradiance * materialFCos(s, a.wi);
         if (neighbourKinds != 0 || lighting > 1) {
-            if (ofPixel(light.x + light.y + light.z) > 0.0) light *= lightPasses(lights[i], a, s.position, meshNormal);
+            // The side that the light comes to: of what passes diffuse light it may be the other one.
+            vec3 n = passesDiffuse && dot(meshNormal, a.wi) < 0.0 ? -meshNormal : meshNormal;
+            if (ofPixel(light.x + light.y + light.z) > 0.0) light *= lightPasses(lights[i], a, s.position, n);
         }
         sum += light;
     }

@@ -70,20 +70,39 @@ float brushedLobe(Surface s, vec3 wi) {
     return ggxAnisoD(i + o, brushWidths(s)) * v;
 }
 
+// What the dielectric part leaves to its diffuse base, at a facet.
+float baseUnder(Surface s, float c) {
+    vec3 fresnel = dielectricFresnel(s, c);
+    float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
+    float base = shading == 3 ? 1.0 - s.metallic : 1.0;
+    if (transmission > 0) base *= 1.0 - s.transmission;
+    return base * under;
+}
+
+// Albedo of the base towards the viewer, and to the other side.
+vec3 baseReflected(Surface s) { return passesDiffuse ? (1.0 - s.passedShare) * s.baseColor : s.baseColor; }
+vec3 basePassed(Surface s) { return s.passedShare * s.passedColor; }
+
+// f |wi . n| of light from the other side, as it would be scattered from this one.
+vec3 passedFCos(Surface s, vec3 wi) {
+    float c = dot(wi, s.n);
+    if (c >= 0.0) return vec3(0.0);
+    Facet f = reflectionFacet(wi - 2.0 * c * s.n, s.wo, s.n, 1.5);
+    return f.exists ? baseUnder(s, f.woDotM) * basePassed(s) * (f.wi.z / BSDF_PI) : vec3(0.0);
+}
+
 // f(wi, wo) |wi . n|. Smooth surfaces (alpha = 0) reflect a point of light to nobody: 0.
 vec3 materialFCos(Surface s, vec3 wi) {
+    if (passesDiffuse) {
+        if (dot(wi, s.n) < 0.0) return passedFCos(s, wi);
+    }
     Facet f = reflectionFacet(wi, s.wo, s.n, 1.5); // its g, which alone depends on the index, is not used below
     if (!f.exists) return vec3(0.0);
     float lobe = brushedLobes > 0 ? brushedLobe(s, wi) : materialLobe(s, f);
     float c = f.woDotM;
     vec3 value = materialFresnel(s, c) * lobe;
     if (shading == 1 || shading == 3) {
-        // The diffuse base takes what the dielectric part leaves.
-        vec3 fresnel = dielectricFresnel(s, c);
-        float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
-        float base = shading == 3 ? 1.0 - s.metallic : 1.0;
-        if (transmission > 0) base *= 1.0 - s.transmission;
-        value += base * under * s.baseColor / BSDF_PI;
+        value += baseUnder(s, c) * baseReflected(s) / BSDF_PI;
     }
     return value * f.wi.z;
 }

@@ -18,6 +18,8 @@ layout(binding = 21) uniform sampler2D thicknessMap;
 layout(binding = 43) uniform sampler2D anisotropyMap;
 layout(binding = 44) uniform sampler2D iridescenceMap;
 layout(binding = 45) uniform sampler2D iridescenceThicknessMap;
+layout(binding = 46) uniform sampler2D diffuseTransmissionMap;
+layout(binding = 47) uniform sampler2D diffuseTransmissionColorMap;
 
 struct Surface {
     vec3 position;
@@ -36,6 +38,8 @@ struct Surface {
     float along;
     float filmShare;   // KHR_materials_iridescence
     float filmThickness; // nanometres
+    vec3 passedColor;  // KHR_materials_diffuse_transmission: of the base's light that comes out on the other side
+    float passedShare;
 };
 
 vec2 mapUv(int uvPlusOne, vec4 row0, vec4 row1) {
@@ -108,6 +112,19 @@ void readFilm(inout Surface s) {
     if (s.filmThickness <= 0.0) s.filmShare = 0.0;
 }
 
+// KHR_materials_diffuse_transmission.
+void readDiffuseTransmission(inout Surface s) {
+    s.passedColor = material.diffuseTransmission.xyz;
+    s.passedShare = material.diffuseTransmission.w;
+    if (diffuseTransmissionMapUv > 0)
+        s.passedShare *= texture(diffuseTransmissionMap, mapUv(diffuseTransmissionMapUv, material.diffuseTransmissionRow0,
+                                                               material.diffuseTransmissionRow1)).w;
+    if (diffuseTransmissionColorMapUv > 0)
+        s.passedColor *= texture(diffuseTransmissionColorMap,
+                                 mapUv(diffuseTransmissionColorMapUv, material.diffuseTransmissionColorRow0,
+                                       material.diffuseTransmissionColorRow1)).xyz;
+}
+
 // Interpolated and mapped normals can turn away from a viewer who sees the surface. Microfacet theory has no answer
 // there (G = 0: black fringes at silhouettes), so n moves by the least turn that makes it perpendicular to wo.
 vec3 faceViewer(vec3 n, vec3 wo) {
@@ -169,6 +186,7 @@ Surface readSurface(vec4 base) {
     s.turn = turnOverPixel(reflect(-s.wo, s.n));
     if (brushedLobes > 0) readBrushing(s);
     if (hasFilm) readFilm(s);
+    if (passesDiffuse) readDiffuseTransmission(s);
     return s;
 }
 

@@ -69,7 +69,7 @@ struct Intersection {
     float wall;     // it does not, but of the lobe this share meets a wall that is known to be there; 0: there is none
 };
 
-layout(constant_id = 44) const bool hasWalls = true; // the frame knows of some
+layout(constant_id = 54) const bool hasWalls = true; // the frame knows of some
 
 const float OUTSIDE_FADE = 1.0; // of the picture's height
 const int INTERSECTION_GUESSES = 4;

@@ -1,6 +1,7 @@
 // Coats over a surface, films on it, and brushing: against their formulas in double precision.
 #include "glsl/f64.h"
 #include "render/head_on.h"
+#include "truth/integrator.h"
 
 #include <cmath>
 #include <numbers>
@@ -167,6 +168,77 @@ TEST_P(Render, a_film_on_a_mirror_has_its_colours) {
                         0.75);
                   }),
             4.0 * rounding); // environments are half floats
+}
+
+scene::Material sheet() {
+  scene::Material m = dielectric(0.5f);
+  m.base_color = {0.8f, 0.7f, 0.4f, 1.0f};
+  m.diffuse_transmission = 0.6f;
+  m.diffuse_transmission_color = {0.9f, 0.5f, 0.2f};
+  return m;
+}
+
+TEST_P(Render, light_that_a_base_passes_comes_from_its_other_side) {
+  scene::Scene scene = square(sheet());
+  scene.materials[0].double_sided = true;
+  add_sun(scene);
+  scene.lights[0].direction.z *= -1.0f;
+  const glm::dvec3 color = 0.6 * glm::dvec3(0.9, 0.5, 0.2) / std::numbers::pi;
+  EXPECT_LT(worst(draw(scene, {std::nullopt, head_on()}),
+                  [&](const glm::dvec3& wo) {
+                    const f64::Facet f = f64::reflectionFacet(sun_from, wo, up, 1.5);
+                    return (1.0 - f64::fresnelDielectricAt(f.woDotM, 1.5)) * f.wi.z * color;
+                  }),
+            rounding);
+}
+
+// Where as much is to be passed as to be reflected.
+TEST_P(Render, in_the_white_furnace_it_is_all_one_to_which_side_a_base_sends_its_light) {
+  scene::Material m = sheet();
+  m.diffuse_transmission_color = glm::vec3(m.base_color);
+  scene::Material opaque = m;
+  opaque.diffuse_transmission = 0.0f;
+  const auto white = environment::constant(glm::vec3(1.0f));
+  const image::Image a = draw(square(m), {white, head_on()}),
+                     b = draw(square(opaque), {white, head_on()});
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    ASSERT_NEAR(a.values[i], b.values[i], 1e-3f);
+}
+
+// Without an environment a path's one vertex is lit by the sun alone, and nothing is left to chance.
+TEST_P(Render, what_extensions_say_of_dielectrics_is_what_the_path_tracer_takes_them_for) {
+  scene::Material tinted = dielectric(0.5f), dull = tinted, glowing = tinted, bare = tinted,
+                  brushed = tinted, filmed = tinted, coated = tinted;
+  tinted.ior = 1.8f;
+  tinted.specular = 0.3f;
+  tinted.specular_color = {1.0f, 0.4f, 2.0f};
+  dull.specular = 0.0f;
+  glowing.emissive = {6.0f, 3.0f, 1.0f}; // a strength is in it by now
+  bare.unlit = true;
+  brushed.anisotropy_strength = 0.6f;
+  brushed.anisotropy_rotation = 0.4f;
+  filmed.iridescence = 0.8f;
+  coated.clearcoat = 0.9f;
+  coated.clearcoat_roughness = 0.4f;
+  for (const scene::Material& m : {tinted, dull, glowing, bare, brushed, filmed, coated, sheet()}) {
+    scene::Scene scene = square(m);
+    add_sun(scene);
+    const frame::FrameDesc desc = head_on();
+    const image::Image picture = draw(scene, {std::nullopt, desc});
+    const truth::Integrator integrator(scene, nullptr, std::nullopt, {});
+    for (const int x : {8, 40}) {
+      truth::Random random(1, 0, 0);
+      const glm::dvec3 expected = integrator
+                                      .trace({glm::dvec3(desc.camera.world[3]),
+                                              view_direction(desc.camera, size, size, x, 20)},
+                                             random)
+                                      .radiance;
+      const glm::dvec3 off = glm::abs(rgb(picture, x, 20) - expected) / (expected + 0.01);
+      EXPECT_LT(std::max({off.x, off.y, off.z}), rounding)
+          << x << ", specular " << m.specular << ", film " << m.iridescence << ", coat "
+          << m.clearcoat << ", brushing " << m.anisotropy_strength;
+    }
+  }
 }
 
 } // namespace gg::test

@@ -270,6 +270,20 @@ TEST(presets, of_finishes_keep_the_rest_of_the_material) {
   EXPECT_FALSE(m.conductor.has_value());
 }
 
+TEST(presets, brush_what_has_texture_coordinates) {
+  auto scene = scene::load(asset("scenes/Suzanne/Suzanne.gltf"));
+  scene::Primitive& p = scene.meshes.at(0).primitives.at(0);
+  p.tangents = scene::none;
+  scene::apply_material(scene, "*=gold,anisotropy=0.5,anisotropy_rotation=90");
+  EXPECT_EQ(scene.materials.at(0).anisotropy_strength, 0.5f);
+  EXPECT_NEAR(scene.materials.at(0).anisotropy_rotation, 1.5707963f, 1e-6f);
+  ASSERT_NE(p.tangents, scene::none);
+  const auto at = [&](scene::Index i) { return scene.streams[static_cast<std::size_t>(i)]; };
+  EXPECT_EQ(at(p.tangents).count(), at(p.positions).count());
+  for (const std::uint32_t i : scene.indices[static_cast<std::size_t>(p.indices)])
+    ASSERT_LT(i, at(p.positions).count());
+}
+
 TEST(presets, reach_materials_by_name_and_by_number) {
   auto scene = scene::load(asset("scenes/TransmissionRoughnessTest.glb"));
   const auto count = [&] {

@@ -120,7 +120,7 @@ std::vector<NamedInterface> interfaces() {
   const Interface glass{.alpha = 0.35, .eta = 1.5, .transmit = glm::dvec3(1.0)};
   Interface leaving = glass, plastic = glass, mixed = glass, tinted = glass, beckmann = glass,
             phong = glass, correlated = glass, metal = glass, coated = glass, brushed = glass,
-            film = glass;
+            film = glass, sheet = glass;
   leaving.eta = 1.0 / 1.5;
   plastic.transmit = glm::dvec3(0.0);
   plastic.diffuse = {0.8, 0.5, 0.1};
@@ -142,10 +142,15 @@ std::vector<NamedInterface> interfaces() {
   film.metallic = 0.5;
   film.metal_f0 = {0.9, 0.5, 0.2};
   film.film = ThinFilm{.share = 0.9, .ior = 1.35, .thickness = 420.0};
-  return {{"coated plastic", coated}, {"brushed glass", brushed}, {"film on metal", film},
-          {"entering glass", glass},  {"leaving glass", leaving}, {"plastic", plastic},
-          {"mixed", mixed},           {"tinted", tinted},         {"Beckmann", beckmann},
-          {"Phong", phong},           {"correlated", correlated}, {"gold", metal}};
+  sheet.transmit = glm::dvec3(0.0);
+  sheet.diffuse = {0.3, 0.2, 0.1};
+  sheet.diffuse_behind = {0.2, 0.4, 0.5};
+  sheet.coat = coated.coat;
+  return {{"coated sheet", sheet}, {"coated plastic", coated}, {"brushed glass", brushed},
+          {"film on metal", film}, {"entering glass", glass},  {"leaving glass", leaving},
+          {"plastic", plastic},    {"mixed", mixed},           {"tinted", tinted},
+          {"Beckmann", beckmann},  {"Phong", phong},           {"correlated", correlated},
+          {"gold", metal}};
 }
 
 TEST(truth_closure, directions_are_drawn_with_their_density) {

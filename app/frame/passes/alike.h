@@ -27,7 +27,7 @@ inline DrawPass hiding_pass(std::string label) {
 
 // Constants of the glass stages that depend on the whole frame, not on a material (app/needs/features.h has those).
 inline std::vector<gpu::Constant> glass_constants(const needs::Needs& needs) {
-  constexpr std::uint32_t has_neighbours = 46, most_bounces = 42, has_walls = 44;
+  constexpr std::uint32_t has_neighbours = 51, most_bounces = 52, has_walls = 54;
   return {gpu::constant(has_neighbours, needs.has_neighbours),
           gpu::constant(most_bounces, needs::most_bounces),
           gpu::constant(has_walls, !needs.walls.empty())};

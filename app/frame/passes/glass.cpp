@@ -14,7 +14,7 @@
 namespace gg::frame {
 namespace {
 
-constexpr std::uint32_t apart = 45; // constant of stages/glass_cells.glsl
+constexpr std::uint32_t apart = 55; // constant of stages/glass_cells.glsl
 
 // Regions of the layer that take these passes.
 struct Solid {

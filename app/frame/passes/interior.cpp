@@ -9,7 +9,7 @@ namespace gg::frame {
 namespace {
 
 constexpr gpu::Format texel_format = gpu::Format::rgba32ui;
-constexpr std::uint32_t peels = 43; // constant of stages/interior.frag
+constexpr std::uint32_t peels = 53; // constant of stages/interior.frag
 
 constexpr std::array<const char*, 4> faces = {"F1", "B1", "F2", "B2"};
 

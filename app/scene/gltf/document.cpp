@@ -126,6 +126,7 @@ std::span<const std::byte> Document::view(int index) {
       const auto& extension = json["extensions"]["EXT_meshopt_compression"];
       const Meshopt stream = meshopt_stream(extension, name(), at);
       spend(stream.count * stream.stride, at);
+      kept_ += stream.count * stream.stride;
       const auto source =
           slice(extension["buffer"].get<int>(), extension.value("byteOffset", std::size_t{0}),
                 extension["byteLength"].get<std::size_t>(), at);

@@ -39,6 +39,8 @@ public:
   // size can sensibly become is bounded, and a message is better than an exhausted machine. Throws
   // Error(input) naming `place`.
   void spend(std::size_t bytes, const std::string& place);
+  // Another scene is made of the file: what the one before unpacked is paid back, but for what is kept here.
+  void begin_anew() { spent_ = kept_; }
 
 private:
   std::span<const std::byte> buffer(int buffer);
@@ -49,7 +51,7 @@ private:
   CameraFaults camera_faults_;
   tinygltf::Model model_;
   std::map<int, std::vector<std::byte>> buffers_, decompressed_, external_images_;
-  std::size_t spent_ = 0, read_ = 0;
+  std::size_t spent_ = 0, kept_ = 0, read_ = 0; // kept_: of spent_, by what is decompressed
 };
 
 } // namespace gg::scene::gltf
