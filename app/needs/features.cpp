@@ -49,19 +49,23 @@ bool is_all_glass(const Material& m) {
   return is_refractive(m) && m.transmission == 1.0f && !m.transmission_map && m.metallic <= 0.0f;
 }
 
-// Over opaque surfaces, and over the outside of glass that is not a wall of no thickness.
-bool has_coat(const Material& m, const FrameFeatures& frame) {
-  return m.clearcoat > 0.0f && transmission_of(m) == Transmission::none
-         && !has(frame.without, Feature::clearcoat);
+// Glass that neither bends nor reflects light has no face that a layer would lie on.
+bool has_face(const Material& m) {
+  return !(is_all_glass(m) && m.ior == 1.0f);
 }
 
-// A film on the substrate's reflection; glass is drawn without, as its tables have Fresnel's factor in them.
+// Over opaque surfaces, and over the outside of glass.
+bool has_coat(const Material& m, const FrameFeatures& frame) {
+  return m.clearcoat > 0.0f && has_face(m) && !has(frame.without, Feature::clearcoat);
+}
+
+// A film on the substrate: in what it reflects, and in what glass lets in.
 bool has_film(const Material& m, const FrameFeatures& frame) {
   if (has(frame.without, Feature::iridescence)) return false;
   const float thickest = m.iridescence_thickness_map
                              ? std::max(m.iridescence_thickness.x, m.iridescence_thickness.y)
                              : m.iridescence_thickness.y;
-  return m.iridescence > 0.0f && thickest > 0.0f && transmission_of(m) == Transmission::none;
+  return m.iridescence > 0.0f && thickest > 0.0f && has_face(m);
 }
 
 // The base under a dielectric, where light does not pass it by refraction.
@@ -72,7 +76,7 @@ bool passes_diffuse(const Material& m) {
 
 // Alpha is 0 everywhere: a map scales roughness, so that one of 0 stays.
 bool is_smooth(const Material& m, int brushed, bool coated) {
-  if (brushed > 0) return false;
+  if (brushed > 0 || is_brushed_glass(m)) return false;
   if (coated && m.clearcoat_roughness > 0.0f) return false; // tables are read
   return scene::microfacet_alpha(m) == 0.0f && m.back_alpha.value_or(0.0f) == 0.0f;
 }
@@ -112,6 +116,12 @@ bool matters(const MapKind& map, const Material& m, Shading shading, const Frame
   }
 }
 
+bool is_of_a_layer(Feature feature) {
+  return feature == Feature::clearcoat_map || feature == Feature::clearcoat_roughness_map
+         || feature == Feature::clearcoat_normal_map || feature == Feature::iridescence_map
+         || feature == Feature::iridescence_thickness_map;
+}
+
 std::vector<const MapKind*> maps_of(const scene::Scene& scene, const Material& m,
                                     const Primitive& primitive, const FrameFeatures& frame) {
   const Shading shading = shading_of(m, primitive);
@@ -125,6 +135,13 @@ std::vector<const MapKind*> maps_of(const scene::Scene& scene, const Material& m
                        || map.feature == Feature::clearcoat_normal_map
                        || map.feature == Feature::anisotropy_map;
     if (bends && primitive.tangents == scene::none) continue;
+    if (is_refractive(m) && is_of_a_layer(map.feature)) {
+      // Glass fills the 16 textures of a stage that every device has with tables and pictures.
+      if (matters(map, m, shading, frame))
+        note("material '" + m.name
+             + "' is glass under a coat or a film: by its factors, the maps of these are not drawn");
+      continue;
+    }
     if (map.feature == Feature::anisotropy_map
             ? anisotropy_lobes(m, primitive) > 0 && !has(frame.without, Feature::anisotropy)
             : matters(map, m, shading, frame))
@@ -147,6 +164,17 @@ int anisotropy_lobes(const Material& m, const Primitive& primitive) {
     return 0;
   const auto widths = glsl::f32::ggxAnisoWidths(scene::microfacet_alpha(m), m.anisotropy_strength);
   return glsl::f32::stretchedParts(widths);
+}
+
+bool is_brushed_glass(const Material& m) {
+  return m.anisotropy_strength > 0.0f && is_refractive(m)
+         && m.distribution == scene::Distribution::ggx;
+}
+
+float drawn_alpha(const Material& m, float alpha) {
+  if (!is_brushed_glass(m)) return alpha;
+  const auto widths = glsl::f32::ggxAnisoWidths(alpha, m.anisotropy_strength);
+  return std::sqrt(0.5f * (widths.x * widths.x + widths.y * widths.y));
 }
 
 bool is_invisible(const Material& m, const Primitive& primitive) {

@@ -105,6 +105,11 @@ int anisotropy_lobes(const scene::Material& material, const scene::Primitive& pr
 // True for a material that light passes by refraction. Its alpha mode does not matter.
 bool is_refractive(const scene::Material& material);
 
+// Glass that is brushed is drawn as rough alike in all directions, of the same variance of slopes: its tables know one width.
+bool is_brushed_glass(const scene::Material& material);
+// The width of D that is drawn for one of the material's, of its front or its back.
+float drawn_alpha(const scene::Material& material, float alpha);
+
 // True for glass of index 1 that neither tints, absorbs nor glows: it shows what is behind it, to the bit, so it need not
 // be drawn.
 bool is_invisible(const scene::Material& material, const scene::Primitive& primitive);

@@ -13,12 +13,6 @@ bool is_glass(const Material& m) {
 }
 
 constexpr Feature features[] = {
-    {"KHR_materials_anisotropy on glass",
-     [](const Material& m) { return is_glass(m) && m.anisotropy_strength > 0.0f; }},
-    {"KHR_materials_clearcoat on glass",
-     [](const Material& m) { return is_glass(m) && m.clearcoat > 0.0f; }},
-    {"KHR_materials_iridescence on glass",
-     [](const Material& m) { return is_glass(m) && m.iridescence > 0.0f; }},
     {"KHR_materials_diffuse_transmission on glass",
      [](const Material& m) { return is_glass(m) && m.diffuse_transmission > 0.0f; }},
 };

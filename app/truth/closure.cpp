@@ -144,6 +144,7 @@ Closure::Fresnel Closure::fresnel(double c) const {
                        i_.tinted ? i_.tinted->f0 : glm::dvec3(f64::fresnelNormalIncidence(i_.eta)));
       f.entering = 1.0 - largest(coat);
     }
+    f.refracted = i_.film ? glm::dvec3(1.0) - coat : glm::dvec3(f.entering);
   }
   f.reflected = (dielectric_ * i_.coated) * coat;
   if (i_.metallic > 0.0) {
@@ -164,7 +165,7 @@ double Closure::reaches_base(const Fresnel& f) const {
 Closure::Chances Closure::chances(const Fresnel& f) const {
   if (!refracts_) return {};
   const double reflected = largest(f.reflected);
-  const double refracted = dielectric_ * largest(i_.transmit) * f.entering;
+  const double refracted = dielectric_ * largest(i_.transmit * f.refracted);
   if (power_ * std::min(reflected, refracted) >= worth_following) return {1.0, 1.0};
   const double sum = reflected + refracted;
   return sum > 0.0 ? Chances{reflected / sum, refracted / sum} : Chances{};
@@ -210,12 +211,12 @@ Scattered Closure::evaluate_base(const glm::dvec3& wi) const {
   if (!facet.exists) return s;
   const Fresnel f = fresnel(facet.woDotM);
   const Microfacets::Pair p = pair(facet, wi, f64::transmissionHalf(wi, wo_, i_.eta));
-  double f_cos =
-      f64::transmissionFCos(facet, facets_.density(p), facets_.shadowing_transmitted(p), i_.eta);
-  // The snippet knows the exact 1 - F; a tinted coat lets pass what its own form leaves.
-  if (i_.tinted) {
+  glm::dvec3 f_cos(
+      f64::transmissionFCos(facet, facets_.density(p), facets_.shadowing_transmitted(p), i_.eta));
+  // The snippet knows the exact 1 - F; a tinted coat lets pass what its own form leaves, and so does a film.
+  if (i_.tinted || i_.film) {
     const double exact = f64::fresnelTransmitted(facet.woDotM, facet.g, i_.eta);
-    f_cos = exact > 0.0 ? f_cos * (f.entering / exact) : 0.0;
+    f_cos = exact > 0.0 ? f_cos * (f.refracted / exact) : glm::dvec3(0.0);
   }
   s.f_cos = dielectric_ * f_cos * i_.transmit;
   s.pdf = (1.0 - diffuse_share_) * chances(f).refract
@@ -265,7 +266,7 @@ std::optional<Drawn> Closure::sample_delta(bool reflect, const Fresnel& f, doubl
   drawn.wi = glm::normalize(wi);
   drawn.transmitted = true;
   // Radiance changes with the square of the index: shaders/bsdf/transmission.glsl.
-  drawn.weight = i_.transmit * (dielectric_ * f.entering / (i_.eta * i_.eta * chosen));
+  drawn.weight = i_.transmit * f.refracted * (dielectric_ / (i_.eta * i_.eta * chosen));
   return drawn;
 }
 

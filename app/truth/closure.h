@@ -105,6 +105,7 @@ public:
   struct Fresnel {
     glm::dvec3 reflected{0.0}; // by the coat or the metal
     double entering = 0.0;     // what passes the dielectric coat: 1 - F, 0 past the critical angle
+    glm::dvec3 refracted{0.0}; // the same per channel, which a film tells apart
   };
   // At a facet that wo meets at this angle.
   Fresnel fresnel(double cos_near) const;

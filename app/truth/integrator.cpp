@@ -185,6 +185,8 @@ Closure Integrator::closure_at(const Intersection& intersection, double power) c
   }
   // A wall is one surface, of which the clear share is met once; a plate has two.
   Surface clear = s;
+  clear.coat.reset();
+  clear.film.reset();
   if (!intersection.from_within()) {
     clear.metallic = 0.0;
     clear.transmission = 1.0;

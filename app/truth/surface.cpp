@@ -123,12 +123,12 @@ glm::dvec3 Surfaces::normal(const Hit& hit, const Basis& b, const scene::Slot& b
   return length > 0.0 && std::isfinite(length) ? n / length : hit.normal;
 }
 
-// What lies over the base and how it is brushed: KHR_materials_clearcoat, _iridescence, _anisotropy. All are of
-// opaque surfaces, as in the raster.
+// What lies over the base and how it is brushed: KHR_materials_clearcoat, _iridescence, _anisotropy. Coats and films lie on the
+// outside of glass; a wall's own faces are told apart by the integrator.
 void Surfaces::read_layers(const Hit& hit, const Basis& b, Surface& s) const {
   const Material& m = *s.material;
-  const bool opaque = s.kind == SurfaceKind::opaque;
-  if (m.clearcoat > 0.0f && opaque) {
+  const bool outside = s.kind != SurfaceKind::solid || s.front;
+  if (m.clearcoat > 0.0f && outside) {
     const double roughness = static_cast<double>(m.clearcoat_roughness)
                              * map(hit, m.clearcoat_roughness_map, Encoding::linear).y;
     const glm::dvec3 n = normal(hit, b, m.clearcoat_normal_map);
@@ -137,7 +137,7 @@ void Surfaces::read_layers(const Hit& hit, const Basis& b, Surface& s) const {
                   .alpha = roughness * roughness,
                   .n = face_viewer(s.front ? n : -n, s.wo)};
   }
-  if (m.iridescence > 0.0f && opaque) {
+  if (m.iridescence > 0.0f && outside) {
     const double at = map(hit, m.iridescence_thickness_map, Encoding::linear).y;
     const glm::dvec2 thickness(m.iridescence_thickness);
     s.film = ThinFilm{.share = static_cast<double>(m.iridescence)
@@ -146,7 +146,7 @@ void Surfaces::read_layers(const Hit& hit, const Basis& b, Surface& s) const {
                       .thickness = thickness.x + (thickness.y - thickness.x) * at};
     if (!(s.film->thickness > 0.0)) s.film.reset();
   }
-  if (m.anisotropy_strength > 0.0f && opaque && m.distribution == scene::Distribution::ggx
+  if (m.anisotropy_strength > 0.0f && m.distribution == scene::Distribution::ggx
       && hit.part->primitive->tangents != scene::none) {
     double strength = static_cast<double>(m.anisotropy_strength);
     glm::dvec2 along(1.0, 0.0);

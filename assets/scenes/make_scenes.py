@@ -355,13 +355,87 @@ def brushed_metal():
     return d
 
 
+def layers():
+    """Balls under what lies over a surface: brushed metal, coats, films; glass with each; and two sheets that light comes through."""
+    d = Document()
+    ball = ("layered ball", lambda: globe(48, 24))
+    anisotropy = lambda strength, turn: {"KHR_materials_anisotropy": {"anisotropyStrength": strength, "anisotropyRotation": turn}}
+    coat = lambda roughness: {"KHR_materials_clearcoat": {"clearcoatFactor": 1.0, "clearcoatRoughnessFactor": roughness}}
+    film = lambda nanometres: {"KHR_materials_iridescence": {"iridescenceFactor": 1.0, "iridescenceThicknessMaximum": nanometres}}
+    clear = {"KHR_materials_transmission": {"transmissionFactor": 1.0}, "KHR_materials_volume": {"thicknessFactor": 2.0}}
+    rows = (
+        [(f"Brushed {s}{' across' if t else ''}", [0.9, 0.85, 0.8], 1.0, 0.3, anisotropy(s, t))
+         for s, t in ((0.3, 0.0), (0.6, 0.0), (0.9, 0.0), (0.9, math.pi / 2))],
+        [("Coat 0 on copper", [0.95, 0.64, 0.54], 1.0, 0.6, coat(0.0)), ("Coat .3 on copper", [0.95, 0.64, 0.54], 1.0, 0.6, coat(0.3)),
+         ("Coat 0 on plastic", [0.6, 0.05, 0.05], 0.0, 0.6, coat(0.0)), ("Coat .5 on glass", [1.0, 1.0, 1.0], 0.0, 0.1, coat(0.5) | clear)],
+        [("Film on smooth steel", [0.6, 0.58, 0.55], 1.0, 0.15, film(350.0)), ("Film on rough steel", [0.6, 0.58, 0.55], 1.0, 0.5, film(500.0)),
+         ("Film on plastic", [0.02, 0.02, 0.02], 0.0, 0.2, film(420.0)), ("Film on glass", [1.0, 1.0, 1.0], 0.0, 0.1, film(420.0) | clear)])
+    for y, row in enumerate(rows):
+        for x, (name, colour, metallic, roughness, extensions) in enumerate(row):
+            material = d.material(name, {"baseColorFactor": [*colour, 1.0], "metallicFactor": metallic, "roughnessFactor": roughness},
+                                  extensions)
+            d.place(name, ball, material, (1.2 * (x - 1.5), 1.2 * (1.5 - y), 0), (0.5, 0.5, 0.5))
+    glass = d.material("Brushed glass", {"metallicFactor": 0.0, "roughnessFactor": 0.3}, anisotropy(0.5, 0.0) | clear)
+    d.place("Brushed glass", ball, glass, (-1.8, -1.8, 0), (0.5, 0.5, 0.5))
+    for x, share in ((-0.6, 0.5), (0.6, 1.0)):
+        paper = d.material(f"Paper {share}", {"baseColorFactor": [0.8, 0.8, 0.75, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.8},
+                           {"KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": share,
+                                                                   "diffuseTransmissionColorFactor": [0.9, 0.6, 0.3]}})
+        d.json["materials"][paper]["doubleSided"] = True
+        d.place(f"Paper {share}", ("rectangle", rectangle), paper, (x, -1.8, 0))
+    glow = d.material("Coat on a lamp", {"baseColorFactor": [0.1, 0.1, 0.1, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.5},
+                      {"KHR_materials_emissive_strength": {"emissiveStrength": 4.0}} | coat(0.0))
+    d.json["materials"][glow]["emissiveFactor"] = [0.5, 0.4, 0.2]
+    d.place("Coat on a lamp", ball, glow, (1.8, -1.8, 0), (0.5, 0.5, 0.5))
+    d.camera((0, 0, 9), (0, 0, 0), 32)
+    return d
+
+
+def motion():
+    """Two seconds: a brushed pendulum swings (LINEAR), a glass ball bounces (CUBICSPLINE), a box jumps (STEP)."""
+    d = Document()
+    d.floor(d.plain("Floor", [0.7, 0.69, 0.67], 0.6), (6, 6), (0, 0, 0))
+    steel = d.material("Brushed steel", {"baseColorFactor": [0.62, 0.6, 0.58, 1.0], "metallicFactor": 1.0, "roughnessFactor": 0.3},
+                       {"KHR_materials_anisotropy": {"anisotropyStrength": 0.7}})
+    d.place("Bob", ("layered ball", lambda: globe(48, 24)), steel, (0, -1.2, 0), (0.3, 0.3, 0.3))
+    d.place("Rod", BOX, d.plain("Rod", [0.1, 0.1, 0.1], 0.5), (0, -0.5, 0), (0.03, 1.0, 0.03))
+    bob, rod = d.json["scenes"][0]["nodes"][-2:]
+    del d.json["scenes"][0]["nodes"][-2:]
+    d.node({"name": "Pendulum", "children": [bob, rod], "translation": [-0.7, 2.0, 0]})
+    pendulum = len(d.json["nodes"]) - 1
+    d.place("Glass ball", BALL, d.glass("Amber", 0.1, 2.0, [0.9, 0.5, 0.12], 0.6), (0.7, 0.35, 0.3), (0.35, 0.35, 0.35))
+    ball = len(d.json["nodes"]) - 1
+    d.place("Box", BOX, d.plain("Red", [0.7, 0.06, 0.05], 0.5), (0.1, 0.25, -0.8), (0.5, 0.5, 0.5))
+    jumper = len(d.json["nodes"]) - 1
+    swing = [0.5 * math.cos(math.pi * k / 8) for k in range(17)]
+    channels = (
+        (pendulum, "rotation", "LINEAR", [k / 8 for k in range(17)], [(0.0, 0.0, math.sin(a / 2), math.cos(a / 2)) for a in swing]),
+        # In-tangent, value, out-tangent: it meets the floor at speed and leaves it as fast.
+        (ball, "translation", "CUBICSPLINE", [0.0, 1.0, 2.0],
+         [v for speed in ((0, 4), (-4, 4), (-4, 0)) for v in ((0.0, float(speed[0]), 0.0), (0.7, 0.35, 0.3), (0.0, float(speed[1]), 0.0))]),
+        (jumper, "translation", "STEP", [0.0, 0.5, 1.0, 1.5], [(x, 0.25, -0.8) for x in (0.1, 0.5, 0.9, 0.5)]))
+    animation = {"name": "Motion", "channels": [], "samplers": []}
+    for k, (node, path, interpolation, times, values) in enumerate(channels):
+        data = struct.pack(f"<{len(times)}f", *times)
+        d.json["accessors"].append({"bufferView": d.view(data), "componentType": 5126, "count": len(times), "type": "SCALAR",
+                                    "min": [min(times)], "max": [max(times)]})
+        d.json["accessors"].append({"bufferView": d.view(struct.pack(f"<{len(values) * len(values[0])}f", *[c for v in values for c in v])),
+                                    "componentType": 5126, "count": len(values), "type": f"VEC{len(values[0])}"})
+        animation["samplers"].append({"input": len(d.json["accessors"]) - 2, "output": len(d.json["accessors"]) - 1,
+                                      "interpolation": interpolation})
+        animation["channels"].append({"sampler": k, "target": {"node": node, "path": path}})
+    d.json["animations"] = [animation]
+    d.camera((0, 1.4, 5.4), (0, 1.0, 0), 34)
+    return d
+
+
 def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent
     scenes = {"ball-grid": ball_grid(), "slabs-0.02": slabs(0.02), "slabs-0.2": slabs(0.2), "slabs-2": slabs(2.0),
               "panes": panes(), "glass-behind-glass": glass_behind_glass(), "wineglass": wineglass(), "etched": etched(),
               "contact": contact(), "odd-neighbours": odd_neighbours(), "lamp": lamp(),
               "bottle": frosted_bottle(), "window": bathroom_window(), "tumbler": etched_tumbler(), "gem": gem(),
-              "brushed": brushed_metal()}
+              "brushed": brushed_metal(), "layers": layers(), "motion": motion()}
     for name, document in scenes.items():
         data = document.bytes()
         (folder / f"{name}.glb").write_bytes(data)

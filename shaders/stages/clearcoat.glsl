@@ -1,6 +1,6 @@
 // clearcoat.glsl: a clear coat over what the surface sends (KHR_materials_clearcoat).
 // Needs    stages/{environment_light,punctual_lights,importance}.glsl.
-// Returns  coated: radiance of base and coat.
+// Returns  coated: radiance of base and coat; coatLeaves, coatRadiance: its parts.
 // Source   bsdf/clearcoat.glsl. The coat reflects as a metal that loses nothing does, times its share.
 #include "bsdf/clearcoat.glsl"
 
@@ -80,12 +80,20 @@ vec3 coatLights(Surface coat) {
     return sum;
 }
 
-vec3 coated(Surface s, vec3 base) {
-    if (!hasCoat) return base;
+// What it leaves of all that is under it.
+float coatLeaves(Surface s) {
+    if (!hasCoat) return 1.0;
+    return 1.0 - coatShare(coatStrength(), dot(coatSurface(s).n, s.wo));
+}
+
+// What it reflects itself.
+vec3 coatRadiance(Surface s) {
+    if (!hasCoat) return vec3(0.0);
     Surface coat = coatSurface(s);
-    float share = coatShare(coatStrength(), dot(coat.n, coat.wo));
     vec3 sum = vec3(0.0);
     if (hasEnvironment) sum += s.occlusion * coatEnvironment(coat);
     if (hasLights) sum += coatLights(coat);
-    return mix(base, sum, share);
+    return (1.0 - coatLeaves(s)) * sum;
 }
+
+vec3 coated(Surface s, vec3 base) { return coatLeaves(s) * base + coatRadiance(s); }

@@ -9,6 +9,8 @@
 #include "stages/punctual_lights.glsl"
 #include "stages/surroundings.glsl"
 #include "stages/environment_light.glsl"
+#include "stages/importance.glsl"
+#include "stages/clearcoat.glsl"
 #include "stages/weighted_lobes.glsl"
 #include "stages/glass_faces.glsl"
 #include "stages/glass_inside.glsl"
@@ -17,8 +19,29 @@
 
 float throughShare(Surface s) { return s.transmission * (1.0 - s.metallic); }
 
-// Of both faces.
-vec3 transmissionTint(Surface s) { return throughShare(s) * s.baseColor; }
+// A film and a coat on the side that is seen: what they leave to pass, over what the bare interface does. Of the film by the two
+// effective angles of what the interface reflects.
+vec3 layersPass(Surface s) {
+    vec3 passes = vec3(coatLeaves(s));
+    if (hasFilm) {
+        float c1 = dot(s.n, s.wo);
+        float c2 = c1;
+        float share1 = 1.0;
+        if (!isSmooth && hasEnvironment) {
+            LobeEnergy energy = fetchLobeEnergy(energyTable, c1, s.alpha);
+            c1 = energy.cos1;
+            c2 = energy.cos2;
+            share1 = energy.share1;
+        }
+        vec3 bare = mix(bareDielectricFresnel(s, c2), bareDielectricFresnel(s, c1), share1);
+        vec3 film = mix(dielectricFresnel(s, c2), dielectricFresnel(s, c1), share1);
+        passes *= (1.0 - film) / max(1.0 - bare, vec3(1e-3)); // both are 0 at the horizon
+    }
+    return passes;
+}
+
+// Of both faces, seen from outside.
+vec3 transmissionTint(Surface s) { return throughShare(s) * s.baseColor * layersPass(s); }
 
 float glassIor() { return ofPixel(material.surface.w); } // tables and composition branch on it
 

@@ -8,12 +8,15 @@ layout(location = 0) out vec4 outColor;
 
 void writeReflection(bool shown) {
     Surface s = readSurface(surfaceBaseColor());
-    vec3 radiance = s.emissive;
+    float leaves = coatLeaves(s);
+    vec3 radiance = leaves * s.emissive + coatRadiance(s);
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);
+        light.weight *= leaves;
+        light.diffuse *= leaves;
         radiance += light.diffuse;
         radiance += mirrorRadiance(mirrorLobes(s, light), texelFetch(lobeWeight, ivec2(gl_FragCoord.xy), 0).xyz);
     }
-    if (hasLights) radiance += punctualLight(s);
+    if (hasLights) radiance += leaves * punctualLight(s);
     outColor = shown ? vec4(radiance, 0.0) : vec4(0.0);
 }

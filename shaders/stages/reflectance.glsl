@@ -27,13 +27,16 @@ SchlickPair dielectricSchlick(Surface s) {
     return pair;
 }
 
-vec3 dielectricFresnel(Surface s, float c) {
-    if (!schlickDielectric) {
-        float f = fresnelDielectricAt(c, material.surface.w);
-        return underFilm(s, c, vec3(f), vec3(fresnelNormalIncidence(material.surface.w)));
-    }
+vec3 bareDielectricFresnel(Surface s, float c) {
+    if (!schlickDielectric) return vec3(fresnelDielectricAt(c, material.surface.w));
     SchlickPair pair = dielectricSchlick(s);
-    return underFilm(s, c, pair.f0 + (vec3(pair.f90) - pair.f0) * schlickWeight(c), pair.f0);
+    return pair.f0 + (vec3(pair.f90) - pair.f0) * schlickWeight(c);
+}
+
+vec3 dielectricFresnel(Surface s, float c) {
+    vec3 f0 = vec3(0.0);
+    if (hasFilm) f0 = schlickDielectric ? dielectricSchlick(s).f0 : vec3(fresnelNormalIncidence(material.surface.w));
+    return underFilm(s, c, bareDielectricFresnel(s, c), f0);
 }
 
 vec3 metalFresnel(Surface s, float c) { return underFilm(s, c, fresnelSchlickRgb(c, s.baseColor), s.baseColor); }

@@ -6,7 +6,6 @@
 #include "stages/thin_wall.glsl"
 #include "stages/glass_far_face.glsl"
 #include "stages/glass_partly_clear.glsl"
-#include "stages/importance.glsl"
 #include "stages/importance_glass.glsl"
 
 // Whether the viewer is outside of the solid.
@@ -22,17 +21,26 @@ vec4 refractiveColor(vec4 base) {
     near.tint = sqrt(s.baseColor);
     near.clear = transmission == 2 ? throughShare(s) : 1.0;
     vec3 entry = throughShare(s) * near.tint;
-    if (!twice) {
+    float leaves = 1.0; // the coat, of what is reflected under it
+    if (twice) {
+        leaves = coatLeaves(s);
+        entry *= layersPass(s);
+    } else {
+        // From within the interface is bare.
+        s.filmShare = 0.0;
         near.tint = vec3(1.0);
         near.clear = 1.0;
     }
     vec3 tint = entry * near.tint; // where the faces are alike
     float clear = near.clear;
-    vec3 radiance = s.emissive;
+    vec3 radiance = leaves * s.emissive;
+    if (hasCoat && twice) radiance += coatRadiance(s);
     float ior = glassIor();
     MirrorLobes mirror = noMirror(s);
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);
+        light.weight *= leaves;
+        light.diffuse *= leaves;
         mirror = mirrorLobes(s, light);
         radiance += light.diffuse;
     }
@@ -78,6 +86,6 @@ vec4 refractiveColor(vec4 base) {
             radiance += mask * glassRadiance(lobes, reflected);
         }
     }
-    if (hasLights) radiance += punctualLight(s);
+    if (hasLights) radiance += leaves * punctualLight(s);
     return vec4(radiance * coverage, coverage);
 }

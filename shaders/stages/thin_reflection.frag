@@ -25,14 +25,17 @@ void main() {
     Surface s = readSurface(base);
     float ior = glassIor();
     vec3 tint = transmissionTint(s);
-    vec3 radiance = s.emissive;
+    float leaves = coatLeaves(s);
+    vec3 radiance = leaves * s.emissive + coatRadiance(s);
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);
+        light.weight *= leaves;
+        light.diffuse *= leaves;
         radiance += light.diffuse;
         ThinWallEnergy energy = wallEnergy(dot(s.wo, s.n), s.alpha, ior);
         MirrorLobes mirror = withReflectedLater(mirrorLobes(s, light), tint * energy.reflectedLater, ior);
         radiance += mirrorRadiance(mirror, tint * energy.transmitted);
     }
-    if (hasLights) radiance += punctualLight(s);
+    if (hasLights) radiance += leaves * punctualLight(s);
     outColor = vec4(radiance * coverage, 0.0);
 }

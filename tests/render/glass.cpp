@@ -158,6 +158,18 @@ TEST_P(Render, glass_in_the_white_furnace_vanishes_or_darkens) {
                                           : 0.05f)
           << roughness << (flat ? " plate" : " ball");
     }
+  // A film and a coat leave what they do not reflect.
+  for (const bool thin : {false, true}) {
+    scene::Material layered = glass(0.0f);
+    layered.iridescence = 1.0f;
+    layered.clearcoat = 0.8f;
+    layered.clearcoat_roughness = 0.2f;
+    if (thin) layered.thickness = 0.0f;
+    const image::Image picture = draw(thin ? square(layered) : ball(layered),
+                                      {environment::constant(glm::vec3(1.0f)), from({0, 0, 4})});
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(picture.at(size / 2, size / 2, c), 1.0f, thin ? 0.01f : composition) << c;
+  }
 }
 
 // Beer and Lambert over the plate's 0.1 m, world units even where the node is scaled.
@@ -243,6 +255,9 @@ TEST_P(Render, glass_is_the_same_by_its_pixels_and_by_its_triangles) {
   expect_same(draw(scene, {sky, desc}), draw(by_triangles(scene), {sky, desc}));
   // A lamp's highlight is on the outside of glass, once: dark glass shows little else.
   scene.materials[0].attenuation_distance = 0.05f;
+  scene.materials[0].iridescence = 1.0f;
+  scene.materials[0].clearcoat = 1.0f;
+  scene.materials[0].clearcoat_roughness = 0.5f;
   scene.lights.push_back({.kind = scene::LightKind::point,
                           .intensity = glm::vec3(40.0f),
                           .position = {1.5f, 1.5f, 3.0f}});

@@ -16,9 +16,12 @@ TEST(truth_furnace, smooth_glass_ball_is_invisible_whatever_its_facets) {
   // Coarse on purpose: with 12 rings shading and triangle normals disagree by up to 8 degrees. No
   // light may be lost or leak where they do. (Nearer the rim a coarse ball's made-up normals can
   // catch light for good, on orbits that no round ball has.)
+  // Nor by a film or a coat, which send on what they do not reflect.
   for (const int rings : {12, 32}) {
     scene::Scene scene;
-    add_ball(scene, glass(0.0f), glm::vec3(0.0f), 1.0f, rings);
+    scene::Material layered = glass(0.0f);
+    if (rings == 32) layered.iridescence = layered.clearcoat = 1.0f;
+    add_ball(scene, layered, glm::vec3(0.0f), 1.0f, rings);
     const EnvironmentLight white = constant_environment(glm::vec3(1.0f));
     const Integrator integrator = integrator_of(scene, &white);
     for (const double x : {0.0, 0.4, 0.8, 0.9, 0.95})

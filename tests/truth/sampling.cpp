@@ -120,7 +120,7 @@ std::vector<NamedInterface> interfaces() {
   const Interface glass{.alpha = 0.35, .eta = 1.5, .transmit = glm::dvec3(1.0)};
   Interface leaving = glass, plastic = glass, mixed = glass, tinted = glass, beckmann = glass,
             phong = glass, correlated = glass, metal = glass, coated = glass, brushed = glass,
-            film = glass, sheet = glass;
+            film = glass, sheet = glass, layered = glass;
   leaving.eta = 1.0 / 1.5;
   plastic.transmit = glm::dvec3(0.0);
   plastic.diffuse = {0.8, 0.5, 0.1};
@@ -146,11 +146,13 @@ std::vector<NamedInterface> interfaces() {
   sheet.diffuse = {0.3, 0.2, 0.1};
   sheet.diffuse_behind = {0.2, 0.4, 0.5};
   sheet.coat = coated.coat;
-  return {{"coated sheet", sheet}, {"coated plastic", coated}, {"brushed glass", brushed},
-          {"film on metal", film}, {"entering glass", glass},  {"leaving glass", leaving},
-          {"plastic", plastic},    {"mixed", mixed},           {"tinted", tinted},
-          {"Beckmann", beckmann},  {"Phong", phong},           {"correlated", correlated},
-          {"gold", metal}};
+  layered.film = film.film;
+  layered.coat = Coat{.strength = 0.8, .alpha = 0.2, .n = {}};
+  return {{"layered glass", layered}, {"coated sheet", sheet}, {"coated plastic", coated},
+          {"brushed glass", brushed}, {"film on metal", film}, {"entering glass", glass},
+          {"leaving glass", leaving}, {"plastic", plastic},    {"mixed", mixed},
+          {"tinted", tinted},         {"Beckmann", beckmann},  {"Phong", phong},
+          {"correlated", correlated}, {"gold", metal}};
 }
 
 TEST(truth_closure, directions_are_drawn_with_their_density) {

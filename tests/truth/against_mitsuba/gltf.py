@@ -20,7 +20,7 @@ def write_gltf(path, objects):
         return len(accessors) - 1
 
     used = set()
-    for index, ((p, n, t), material) in enumerate(objects):
+    for index, ((p, n, t, *uv), material) in enumerate(objects):
         primitive = {
             "attributes": {
                 "POSITION": stream(p, np.float32, "VEC3", 5126),
@@ -29,6 +29,8 @@ def write_gltf(path, objects):
             "indices": stream(t, np.uint32, "SCALAR", 5125),
             "material": index,
         }
+        if uv:
+            primitive["attributes"]["TEXCOORD_0"] = stream(uv[0], np.float32, "VEC2", 5126)
         meshes.append({"primitives": [primitive]})
         nodes.append({"mesh": index})
         materials.append({"name": f"material {index}"} | material["gltf"])

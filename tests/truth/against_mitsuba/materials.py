@@ -52,3 +52,13 @@ def gold(alpha, distribution="ggx"):
         },
         "interior": None,
     }
+
+
+def brushed_gold(across, strength):
+    """Brushed along longitude. Widths as KHR_materials_anisotropy has them."""
+    material = gold(across)
+    material["gltf"]["extras"]["groundglass"]["anisotropy"] = strength
+    metal = material["bsdf"]["bsdf"]
+    del metal["alpha"]
+    metal |= {"alpha_u": across + (1 - across) * strength**2, "alpha_v": across}
+    return material

@@ -1,4 +1,4 @@
-"""Meshes: (positions, normals, triangles)."""
+"""Meshes: (positions, normals, triangles), and texture coordinates where something is brushed along them."""
 import json
 
 import numpy as np
@@ -17,6 +17,13 @@ def ball(centre, radius, rings):
     upper = np.stack([at(i, j), at(i + 1, j + 1), at(i, j + 1)], -1)[i > 0]
     lower = np.stack([at(i, j), at(i + 1, j), at(i + 1, j + 1)], -1)[i < rings - 1]
     return np.array(centre) + radius * n, n, np.concatenate([upper, lower])
+
+
+def globe(centre, radius, rings):
+    """The same ball with longitude and latitude as texture coordinates."""
+    j, i = np.meshgrid(np.arange(rings + 1), np.arange(2 * rings + 1), indexing="ij")
+    uv = np.stack([i / (2 * rings), j / rings], -1).reshape(-1, 2)
+    return (*ball(centre, radius, rings), uv)
 
 
 def flat(triangles):

@@ -1,6 +1,6 @@
 """Scenes by name: a list of (mesh, material), a camera, an environment."""
-from .materials import diffuse, glass, gold
-from .meshes import ball, box, checkers, suzanne
+from .materials import brushed_gold, diffuse, glass, gold
+from .meshes import ball, box, checkers, globe, suzanne
 from .places import ENVIRONMENTS
 
 
@@ -34,6 +34,11 @@ def scenes():
         "slabs over checkers": (board + slabs, aslant, sky),
         "absorbing glass": (absorbing, close, sky),
     }
+    brushed = [
+        (globe([2.0 * (i % 2) - 1.0, 1.0 - 2.0 * (i // 2), 0], 0.9, rings), brushed_gold(across, strength))
+        for i, (across, strength) in enumerate(((0.05, 0.4), (0.05, 0.7), (0.2, 0.5), (0.2, 0.8)))
+    ]
+    result["gold brushed"] = (brushed, {"eye": [0, 0, 9], "target": [0, 0, 0], "fovy": 28}, sky)
     for i, environment in enumerate(ENVIRONMENTS):
         distribution = ("ggx", "beckmann")[i % 2]
         name = f"gold {distribution} {environment.stem.replace('_1k', '')}"

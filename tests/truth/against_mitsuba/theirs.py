@@ -8,12 +8,13 @@ BATCHES = 32  # renders, from whose scatter the error is known to 1 / sqrt(2 * 3
 
 
 def write_ply(path, mesh):
-    p, n, t = mesh
-    corners = np.concatenate([p, n], 1).astype("<f4")
+    p, n, t, *uv = mesh
+    corners = np.concatenate([p, n, *uv], 1).astype("<f4")
+    names = ("x", "y", "z", "nx", "ny", "nz") + (("u", "v") if uv else ())
     faces = np.zeros(len(t), dtype=[("count", "u1"), ("index", "<i4", 3)])
     faces["count"], faces["index"] = 3, t
     header = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(p)}\n"
-    header += "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz"))
+    header += "".join(f"property float {name}\n" for name in names)
     header += f"element face {len(t)}\nproperty list uchar int vertex_indices\nend_header\n"
     path.write_bytes(header.encode() + corners.tobytes() + faces.tobytes())
 
