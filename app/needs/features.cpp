@@ -138,8 +138,9 @@ std::vector<const MapKind*> maps_of(const scene::Scene& scene, const Material& m
     if (is_refractive(m) && is_of_a_layer(map.feature)) {
       // Glass fills the 16 textures of a stage that every device has with tables and pictures.
       if (matters(map, m, shading, frame))
-        note("material '" + m.name
-             + "' is glass under a coat or a film: by its factors, the maps of these are not drawn");
+        note(
+            "material '" + m.name
+            + "' is glass under a coat or a film: by its factors, the maps of these are not drawn");
       continue;
     }
     if (map.feature == Feature::anisotropy_map

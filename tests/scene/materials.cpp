@@ -129,11 +129,12 @@ TEST(materials, every_extension_is_read) {
 }
 
 TEST(materials, what_is_not_drawn_yet_is_listed_by_name) {
-  auto file = with_material({{"extensions",
-                              {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}},
-                               {"KHR_materials_transmission", {{"transmissionFactor", 0}}},
-                               {"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 0.1}}}}},
-                             {"pbrMetallicRoughness", {{"metallicFactor", 0.5}}}});
+  auto file = with_material(
+      {{"extensions",
+        {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}},
+         {"KHR_materials_transmission", {{"transmissionFactor", 0}}},
+         {"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 0.1}}}}},
+       {"pbrMetallicRoughness", {{"metallicFactor", 0.5}}}});
   EXPECT_TRUE(scene::undrawn(scene::load(file.save())).empty());
   auto& extensions = file.json["materials"][0]["extensions"];
   extensions["KHR_materials_transmission"]["transmissionFactor"] = 0.5;
