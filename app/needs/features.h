@@ -93,7 +93,12 @@ struct FrameFeatures {
 enum class Shading { unlit, dielectric, metal, mixed, conductor };
 enum class Transmission { none, thin, solid };
 // Bits of what a draw's neighbours are.
-enum NeighbourKind { some_spheres = 1, some_rectangles = 2, some_glass = 4 };
+enum NeighbourKind {
+  some_spheres = 1,
+  some_rectangles = 2,
+  some_glass = 4,
+  some_opaque = 8 // or in part
+};
 
 // How many lobes of isotropic surfaces stand for that of a brushed one (environment/stretched_lobe.glsl): none for one
 // that is not, and for glass, whose tables know one width. The error by their number: tests/bench/stretched_lobes.cpp.

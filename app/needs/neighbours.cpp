@@ -123,7 +123,10 @@ void find_neighbours(Draws& draws, const scene::Scene& scene, const Proxies& pro
     int kinds = 0;
     for (const std::uint32_t i : draw.neighbours) {
       kinds |= proxies.all[i].radius > 0.0f ? some_spheres : some_rectangles;
-      if (is_refractive(*proxies.all[i].material)) kinds |= some_glass;
+      const scene::Material& material = *proxies.all[i].material;
+      if (is_refractive(material)) kinds |= some_glass;
+      if (!is_refractive(material) || material.transmission < 1.0f || material.metallic > 0.0f)
+        kinds |= some_opaque;
     }
     set_value(draw.key, Feature::neighbours, kinds);
     if (kinds != 0 && draw.own_proxy) // 1 a sphere, 2 a rectangle

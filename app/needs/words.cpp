@@ -13,7 +13,7 @@ namespace {
 struct FeatureName {
   Feature feature;
   const char* name;
-  std::array<const char*, 8> values{};
+  std::array<const char*, 16> values{};
 };
 constexpr FeatureName names[] = {
     {Feature::shading, "shading", {"unlit", "dielectric", "metal", "mixed", "conductor"}},
@@ -61,8 +61,9 @@ constexpr FeatureName names[] = {
     {Feature::interior_pairs, "interior", {nullptr, "one pair of faces", "two pairs of faces"}},
     {Feature::neighbours,
      "neighbours",
-     {nullptr, "spheres", "rectangles", "spheres and rectangles", nullptr,
-      "spheres, glass among them", "rectangles, glass among them",
+     {nullptr, nullptr, nullptr, nullptr, nullptr, "spheres of glass", "rectangles of glass",
+      "spheres and rectangles of glass", nullptr, "spheres", "rectangles", "spheres and rectangles",
+      nullptr, "spheres, glass among them", "rectangles, glass among them",
       "spheres and rectangles, glass among them"}},
 };
 

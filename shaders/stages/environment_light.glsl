@@ -29,7 +29,38 @@ vec3 multiplyScattered(Surface s, float albedo, vec3 meanFresnel) {
 vec3 reflectedRadiance(Surface s, vec3 direction, float sigma) {
     float seen = sqrt(sigma * sigma + s.turn);
     if (neighbourKinds == 0) return farRadiance(direction, seen);
-    return surroundingRadiance(s.position, s.n, direction, seen);
+    return surroundingRadiance(s.position, s.n, direction, seen, farRadiance(direction, seen), LEAST_SHARE);
+}
+
+// Two lobes as one of the same mean and variance (per axis half of the squared distances).
+ReflectionLobe mergedLobes(ReflectionLobe a, ReflectionLobe b) {
+    ReflectionLobe merged = a;
+    float share = b.weight / max(a.weight + b.weight, 1e-30);
+    vec3 apart = b.direction - a.direction;
+    merged.sigma = sqrt(mix(a.sigma * a.sigma, b.sigma * b.sigma, share) + 0.5 * share * (1.0 - share) * dot(apart, apart));
+    merged.direction = normalize(a.direction + share * apart);
+    merged.weight = a.weight + b.weight;
+    return merged;
+}
+
+// Dielectrics reflect little: the environment by each of their lobes, neighbours by one that stands for all.
+const bool mergesLobes = neighbourKinds != 0 && shading == 1 && lobeCount > 1;
+
+// What the lobes bring, the first of which is given. weight: of it, in what the surface sends beside `base`.
+vec3 mergedRadiance(Surface s, ReflectionLobe first, float edge, vec3 weight, vec3 base) {
+    ReflectionLobe lobe = first;
+    ReflectionLobe merged = first;
+    vec3 far = vec3(0.0);
+    for (int k = 0; k < lobeCount; ++k) {
+        if (k > 0) {
+            lobe = fetchReflectionLobeOf(lobeTable, k, lobeCount, s.wo, s.n, s.alpha, edge);
+            merged = mergedLobes(merged, lobe);
+        }
+        far += lobe.weight * farRadiance(lobe.direction, sqrt(lobe.sigma * lobe.sigma + s.turn));
+    }
+    // A quarter of a step of 8 bits of all that the surface sends: of little light a little share is not seen.
+    float least = max(0.25 / max(meanOf(weight) / max(meanOf(weight + base), 1e-6), LEAST_SHARE), 1.0) * LEAST_SHARE;
+    return surroundingRadiance(s.position, s.n, merged.direction, sqrt(merged.sigma * merged.sigma + s.turn), far, least);
 }
 
 #include "stages/brushed.glsl"
@@ -41,6 +72,7 @@ struct EnvironmentLight {
     float edge;  // where the table is read
     vec3 weight;
     vec3 diffuse;
+    vec3 base; // albedo of the diffuse base
 };
 
 EnvironmentLight environmentLobe(Surface s) {
@@ -67,6 +99,7 @@ EnvironmentLight environmentLobe(Surface s) {
     }
     light.weight = s.occlusion * albedo * reflectance;
     light.diffuse = vec3(0.0);
+    light.base = vec3(0.0);
 
     bool hasBase = shading == 1 || shading == 3;
     if (hasBase || scattersAgain) {
@@ -78,7 +111,8 @@ EnvironmentLight environmentLobe(Surface s) {
             float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
             float base = shading == 3 ? 1.0 - s.metallic : 1.0;
             if (transmission > 0) base *= 1.0 - s.transmission;
-            light.diffuse += base * under * s.baseColor * around;
+            light.base = base * under * s.baseColor;
+            light.diffuse += light.base * around;
         }
         if (scattersAgain) light.diffuse += multiplyScattered(s, albedo, reflectance) * around;
     }
@@ -89,30 +123,21 @@ EnvironmentLight environmentLobe(Surface s) {
 vec3 environmentLight(Surface s) {
     EnvironmentLight light = environmentLobe(s);
     if (brushedLobes > 0) return light.diffuse + light.weight * brushedRadiance(s, light.edge);
+    if (mergesLobes) return light.diffuse + light.weight * mergedRadiance(s, light.lobe, light.edge, light.weight, light.base);
+    vec3 sum = vec3(0.0);
     ReflectionLobe lobe = light.lobe;
-    vec3 sum = lobe.weight * reflectedRadiance(s, lobe.direction, lobe.sigma);
-    if (lobeCount > 1) {
-        for (int k = 1; k < lobeCount; ++k) {
-            lobe = fetchReflectionLobeOf(lobeTable, k, lobeCount, s.wo, s.n, s.alpha, light.edge);
-            sum += lobe.weight * reflectedRadiance(s, lobe.direction, lobe.sigma);
-        }
+    for (int k = 0; k < lobeCount; ++k) { // in one place: see stages/glass_lookups.glsl
+        if (k > 0) lobe = fetchReflectionLobeOf(lobeTable, k, lobeCount, s.wo, s.n, s.alpha, light.edge);
+        sum += lobe.weight * reflectedRadiance(s, lobe.direction, lobe.sigma);
     }
     return light.diffuse + light.weight * sum;
 }
 
-// All lobes but the first as one of the same mean and variance (per axis half of the squared distances): for glass, where little is
-// reflected. Weight 0 if there is but one.
+// All lobes but the first as one: for glass, where little is reflected. Weight 0 if there is but one.
 ReflectionLobe mergedTail(Surface s, EnvironmentLight light) {
     ReflectionLobe merged = light.lobe;
     merged.weight = 0.0;
-    for (int k = 1; k < lobeCount; ++k) {
-        ReflectionLobe lobe = fetchReflectionLobeOf(lobeTable, k, lobeCount, s.wo, s.n, s.alpha, light.edge);
-        float share = lobe.weight / max(merged.weight + lobe.weight, 1e-30);
-        vec3 apart = lobe.direction - merged.direction;
-        merged.sigma = sqrt(mix(merged.sigma * merged.sigma, lobe.sigma * lobe.sigma, share) +
-                            0.5 * share * (1.0 - share) * dot(apart, apart));
-        merged.direction = normalize(merged.direction + share * apart);
-        merged.weight += lobe.weight;
-    }
+    for (int k = 1; k < lobeCount; ++k)
+        merged = mergedLobes(merged, fetchReflectionLobeOf(lobeTable, k, lobeCount, s.wo, s.n, s.alpha, light.edge));
     return merged;
 }

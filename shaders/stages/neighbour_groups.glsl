@@ -48,7 +48,7 @@ void addLobe(inout LobeGroup g, Surface s, float weight, vec3 direction, float s
     vec3 hidden = vec3(0.0);
     Composed c = nothingTaken();
     for (int i = 0; i < ofPixel(neighbours.counts.x); ++i) {
-        NextShare next = nextShare(i, false, s.position, s.n, direction, sigma);
+        NextShare next = nextShare(i, false, s.position, s.n, direction, sigma, LEAST_SHARE);
         i = next.i;
         if (i >= ofPixel(neighbours.counts.x)) break;
         if (next.startsBody) c = nextBody(c);
@@ -90,7 +90,9 @@ vec3 groupRadiance(LobeGroup g, Surface s) {
     if (glassAround) {
         if (ofPixel(on.share) > 0.0) {
             OnwardLobe onward = onwardLobe(on, s.n);
-            sum += on.weight * radianceFrom(1, onward.point, onward.direction, onward.direction, onward.sigma);
+            vec3 far = farRadiance(onward.direction, onward.sigma);
+            sum += on.weight *
+                   radianceFrom(1, onward.point, onward.direction, onward.direction, onward.sigma, far, LEAST_SHARE);
         }
     }
     return sum;

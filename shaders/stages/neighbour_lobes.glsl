@@ -79,7 +79,7 @@ struct NextShare {
     LobeShare met;
 };
 
-NextShare nextShare(int i, bool opaqueOnly, vec3 p, vec3 n, vec3 direction, float sigma) {
+NextShare nextShare(int i, bool opaqueOnly, vec3 p, vec3 n, vec3 direction, float sigma, float least) {
     NextShare next;
     next.startsBody = false;
     next.met = noShare(direction);
@@ -89,7 +89,7 @@ NextShare nextShare(int i, bool opaqueOnly, vec3 p, vec3 n, vec3 direction, floa
         if (opaqueOnly && isGlass(o)) continue;
         next.met = neighbourShare(o, o.centre.xyz - p, direction, sigma);
         next.met.share *= lobeIntegral(2.0 * dot(n, next.met.direction) / max(next.met.sigma, 0.05));
-        if (!(next.met.share < LEAST_SHARE)) break;
+        if (!(next.met.share * (1.0 + max(o.emission.x, max(o.emission.y, o.emission.z))) < least)) break;
     }
     return next;
 }
@@ -98,18 +98,22 @@ NextShare nextShare(int i, bool opaqueOnly, vec3 p, vec3 n, vec3 direction, floa
 // neighbours take, at their own widths, so that no lamp behind one is seen; of a lobe that is nearly taken, no more than four times
 // what is left of it, as the parts' Gaussians and the lobe's agree to some percent only. What glass passes is followed once more,
 // to what is opaque.
-// firstWay: 1 if the lobe is of light that glass has passed.
-vec3 radianceFrom(int firstWay, vec3 p, vec3 n, vec3 direction, float sigma) {
+// firstWay: 1 if the lobe is of light that glass has passed. far: of the environment, by all of the lobe, or by several that it stands
+// for. least: share below which a neighbour that sends no light of its own is left out.
+vec3 radianceFrom(int firstWay, vec3 p, vec3 n, vec3 direction, float sigma, vec3 far, float least) {
     vec3 sum = vec3(0.0);
     vec3 weight = vec3(1.0);
     const int ways = glassAround ? 2 : 1;
     for (int way = firstWay; way < ways; ++way) {
+        if (way > 0 && !opaqueAround) {
+            sum += weight * far;
+            break;
+        }
         Composed c = nothingTaken();
         PassedOn on = nothingPassedOn();
-        vec3 far = farRadiance(direction, sigma);
         vec3 hidden = vec3(0.0);
         for (int i = 0; i < ofPixel(neighbours.counts.x); ++i) {
-            NextShare next = nextShare(i, way > 0, p, n, direction, sigma);
+            NextShare next = nextShare(i, way > 0, p, n, direction, sigma, least);
             i = next.i;
             if (i >= ofPixel(neighbours.counts.x)) break;
             if (next.startsBody) c = nextBody(c);
@@ -133,8 +137,11 @@ vec3 radianceFrom(int firstWay, vec3 p, vec3 n, vec3 direction, float sigma) {
         direction = onward.direction;
         n = direction;
         sigma = onward.sigma;
+        far = farRadiance(direction, sigma);
     }
     return sum;
 }
 
-vec3 surroundingRadiance(vec3 p, vec3 n, vec3 direction, float sigma) { return radianceFrom(0, p, n, direction, sigma); }
+vec3 surroundingRadiance(vec3 p, vec3 n, vec3 direction, float sigma, vec3 far, float least) {
+    return radianceFrom(0, p, n, direction, sigma, far, least);
+}

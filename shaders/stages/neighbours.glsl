@@ -15,6 +15,7 @@
 const bool spheresAround = (neighbourKinds & 1) != 0;
 const bool rectanglesAround = (neighbourKinds & 2) != 0;
 const bool glassAround = (neighbourKinds & 4) != 0;
+const bool opaqueAround = (neighbourKinds & 8) != 0;
 const float LEAST_SHARE = 0.004; // a step of 8 bits
 
 bool isGlass(NeighbourData o) { return glassAround && ofPixel(o.emission.w) > 0.0; }
@@ -59,7 +60,8 @@ Composed withTaken(Composed c, float share, vec3 tint) {
 }
 
 // What the receiver's own body takes of the light of its neighbours, and what it gives them: light is between the two once more.
-const bool knowsOwn = ownProxy != 0;
+// Glass reflects too little for that.
+const bool knowsOwn = ownProxy != 0 && opaqueAround;
 const bool ownIsSphere = ownProxy == 1;
 NeighbourData ownBody() { return neighbours.each[ofPixel(MOST_NEIGHBOURS)]; }
 
@@ -128,7 +130,7 @@ vec3 neighbourRadiance(NeighbourData o, vec3 p, vec3 wo, vec3 n, float spread, f
     float wide = min(spread, 1.0);
     vec3 sum = o.emission.xyz + lobe.albedo * fresnel * lobeOf(p, lobe.direction, sqrt(lobe.sigma * lobe.sigma + wide * wide), lit);
     vec3 under = vec3(1.0 - max(fresnel.x, max(fresnel.y, fresnel.z)));
-    if (ofPixel(max(o.base.x, max(o.base.y, o.base.z))) > 0.0) sum += under * o.base.xyz * irradianceOf(p, n, lit);
+    if (opaqueAround && ofPixel(max(o.base.x, max(o.base.y, o.base.z))) > 0.0) sum += under * o.base.xyz * irradianceOf(p, n, lit);
     return sum;
 }
 

@@ -116,7 +116,7 @@ TEST(neighbours, are_other_bodies_in_or_out_of_the_picture) {
   const Needs needs = needs::needs_of(scene, view());
   ASSERT_EQ(needs.draws.all.size(), 2u);
   EXPECT_EQ(needs.draws.all[0].neighbours.size(), 2u);
-  EXPECT_EQ(kinds(needs, 0), needs::some_spheres | needs::some_rectangles | needs::some_glass);
+  EXPECT_EQ(kinds(needs, 0), needs::some_spheres | needs::some_rectangles | needs::some_glass | needs::some_opaque);
   EXPECT_EQ(kinds(needs, 1), 0) << "glass looks at the picture";
 }
 
@@ -124,7 +124,7 @@ TEST(neighbours, are_none_for_what_peers_do_and_for_what_is_unlit) {
   scene::Scene scene = ball(metal(0.3f));
   add(scene, ball(unlit(glm::vec3(1.0f))), at({2.5f, 0, 0}));
   EXPECT_EQ(kinds(needs::needs_of(scene, view(Method::standard)), 0), 0);
-  EXPECT_EQ(kinds(needs::needs_of(scene, view()), 0), needs::some_spheres);
+  EXPECT_EQ(kinds(needs::needs_of(scene, view()), 0), needs::some_spheres | needs::some_opaque);
   EXPECT_EQ(kinds(needs::needs_of(scene, view()), 1), 0);
 }
 

@@ -6,15 +6,39 @@
 #include <iterator>
 
 namespace gg::frame {
+namespace {
+
+// Masks, whose cut-outs no depth test knows before they are shaded: their depth first, so that each pixel is shaded once however
+// many leaves lie over each other.
+void record_mask(Context& context, const DrawPass& opaque, const needs::Draw& draw,
+                 Records& depths, Records& shaded) {
+  depths.push_back(
+      context.draws.recorded(hiding_pass("masks"), {&draw, needs::Faces::as_material}));
+  DrawPass shade = opaque;
+  shade.label = "masked";
+  shade.depth_write = false;
+  shade.depth_compare = gpu::Compare::equal;
+  needs::Draw whole = draw;
+  needs::set_value(whole.key, needs::Feature::alpha_mode,
+                   static_cast<int>(scene::AlphaMode::opaque));
+  shaded.push_back({&draw, context.draws.pipeline(shade, whole), depths.back().cull});
+}
+
+} // namespace
 
 void declare_opaque(Graph& graph, const needs::Needs& needs) {
   const bool with_blended = !needs.shades_opaque_late();
   const auto prepare = [with_blended](Context& context) -> Record {
     const DrawPass opaque{.label = "opaque", .fragment = "opaque.frag", .colors = {color_format}};
     const DrawPass blended = blended_pass();
-    Records records, over;
+    Records records, masks, masked, over;
     for (const needs::Draw* draw : context.needs.opaque)
-      records.push_back(context.draws.recorded(opaque, {draw, needs::Faces::as_material}));
+      if (draw->material->alpha_mode == scene::AlphaMode::mask)
+        record_mask(context, opaque, *draw, masks, masked);
+      else
+        records.push_back(context.draws.recorded(opaque, {draw, needs::Faces::as_material}));
+    std::ranges::copy(masks, std::back_inserter(records));
+    std::ranges::copy(masked, std::back_inserter(records));
     if (with_blended)
       for (const needs::LayerDraw& draw : context.needs.over_opaque)
         over.push_back(context.draws.recorded(blended, draw));
