@@ -116,7 +116,8 @@ TEST(neighbours, are_other_bodies_in_or_out_of_the_picture) {
   const Needs needs = needs::needs_of(scene, view());
   ASSERT_EQ(needs.draws.all.size(), 2u);
   EXPECT_EQ(needs.draws.all[0].neighbours.size(), 2u);
-  EXPECT_EQ(kinds(needs, 0), needs::some_spheres | needs::some_rectangles | needs::some_glass | needs::some_opaque);
+  EXPECT_EQ(kinds(needs, 0),
+            needs::some_spheres | needs::some_rectangles | needs::some_glass | needs::some_opaque);
   EXPECT_EQ(kinds(needs, 1), 0) << "glass looks at the picture";
 }
 

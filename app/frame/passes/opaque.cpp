@@ -10,8 +10,8 @@ namespace {
 
 // Masks, whose cut-outs no depth test knows before they are shaded: their depth first, so that each pixel is shaded once however
 // many leaves lie over each other.
-void record_mask(Context& context, const DrawPass& opaque, const needs::Draw& draw,
-                 Records& depths, Records& shaded) {
+void record_mask(Context& context, const DrawPass& opaque, const needs::Draw& draw, Records& depths,
+                 Records& shaded) {
   depths.push_back(
       context.draws.recorded(hiding_pass("masks"), {&draw, needs::Faces::as_material}));
   DrawPass shade = opaque;
