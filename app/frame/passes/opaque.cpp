@@ -55,6 +55,7 @@ void declare_opaque(Graph& graph, const needs::Needs& needs) {
       context.draws.record(encoder, records);
       if (sky) {
         encoder.use(sky);
+        encoder.cull(gpu::Cull::none); // whichever way the last mesh was turned
         encoder.draw(3);
       }
       context.draws.record(encoder, over);
