@@ -32,7 +32,7 @@ layout(constant_id = 25) const bool holdsOpaque = false; // something that is in
 layout(constant_id = 27) const int lobeCount = 1; // that the table of the reflection lobe holds
 layout(constant_id = 28) const bool seenFromWithin = false; // back faces of the solid can be what the camera sees
 layout(constant_id = 29) const bool isSmooth = false; // alpha 0 on every face: nothing scatters, no table is read
-layout(constant_id = 30) const int neighbourKinds = 0; // what stands around it: 1 spheres, 2 rectangles, 4 glass among them, 8 opaque ones
+layout(constant_id = 30) const int neighbourKinds = 0; // around it: 1 spheres, 2 rectangles, 4 some of glass, 8 some opaque
 layout(constant_id = 31) const int ownProxy = 0; // what stands for the draw's own body: 0 nothing, 1 a sphere, 2 a rectangle
 layout(constant_id = 32) const bool hasCoat = false; // KHR_materials_clearcoat
 layout(constant_id = 33) const int clearcoatMapUv = 0;

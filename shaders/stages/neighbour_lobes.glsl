@@ -98,8 +98,8 @@ NextShare nextShare(int i, bool opaqueOnly, vec3 p, vec3 n, vec3 direction, floa
 // neighbours take, at their own widths, so that no lamp behind one is seen; of a lobe that is nearly taken, no more than four times
 // what is left of it, as the parts' Gaussians and the lobe's agree to some percent only. What glass passes is followed once more,
 // to what is opaque.
-// firstWay: 1 if the lobe is of light that glass has passed. far: of the environment, by all of the lobe, or by several that it stands
-// for. least: share below which a neighbour that sends no light of its own is left out.
+// firstWay: 1 if the lobe is of light that glass has passed. far: of the environment, by all of the lobe, or by several that it
+// stands for. least: share below which a neighbour that sends no light of its own is left out.
 vec3 radianceFrom(int firstWay, vec3 p, vec3 n, vec3 direction, float sigma, vec3 far, float least) {
     vec3 sum = vec3(0.0);
     vec3 weight = vec3(1.0);
