@@ -215,5 +215,5 @@ TEST(campaign, every_mutant_is_drawn_or_refused_in_words) {
   std::printf("campaign: seed %u: %u mutants, %u accepted, %u drawn on both backends, slowest read "
               "%.2f s, most memory %.0f MiB\n",
               seed, count, accepted, drawn, slowest, most_memory);
-  EXPECT_GT(accepted, count / 20);
+  EXPECT_GE(accepted, count / 20);
 }
