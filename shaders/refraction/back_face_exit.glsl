@@ -77,10 +77,8 @@ BackFace backFaceBeside(BackFace own, vec2 at, vec3 p, float w, FaceLayer which,
 // The normal between texels, at the place `hit` within a pixel of `at`, and how the surface curves there.
 BackFaceExit backFaceBetween(BackFace face, vec2 at, vec2 hit, vec3 p, float w, FaceLayer which, vec3 origin, vec3 direction,
                              SceneView view) {
-  vec3 stepX = pixelStep(view, 0);
-  vec3 stepY = pixelStep(view, 1);
-  BackFace right = backFaceBeside(face, at + vec2(1.0, 0.0), p + w * stepX, w, which, view);
-  BackFace below = backFaceBeside(face, at + vec2(0.0, 1.0), p + w * stepY, w, which, view);
+  BackFace right = backFaceBeside(face, at + vec2(1.0, 0.0), p + w * pixelStep(view, 0), w, which, view);
+  BackFace below = backFaceBeside(face, at + vec2(0.0, 1.0), p + w * pixelStep(view, 1), w, which, view);
   vec2 off = hit - floor(at) - 0.5;
   BackFaceExit found;
   found.exit.surface.n = normalize(face.n + off.x * (right.n - face.n) + off.y * (below.n - face.n));
@@ -116,12 +114,11 @@ BackFaceExit backFaceExit(vec3 origin, vec3 direction, float first, float eta, F
     BackFace face = backFaceAt(at, p, clip.w, which, view);
     float met = exitPlane(origin, direction, face.point, face.n);
     bool meets = face.exists && dot(direction, face.n) > 0.0 && met > 0.0;
-    // Behind the pixel is a face that the ray does not meet: as deep as the body is there.
-    if (k == 0 && !meets && face.exists) {
+    if (k == 0 && !meets) { // behind the pixel is a face that the ray does not meet: as deep as the body is there
+      if (!face.exists) return none;
       t = length(face.point - p);
       continue;
     }
-    if (k == 0 && !meets) return none;
     if (!meets) { // past the outline
       t = 0.5 * (inside + t);
       continue;

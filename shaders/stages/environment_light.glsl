@@ -126,17 +126,23 @@ EnvironmentLight environmentLobe(Surface s) {
     return light;
 }
 
-vec3 environmentLight(Surface s) {
-    EnvironmentLight light = environmentLobe(s);
-    if (brushedLobes > 0) return light.diffuse + light.weight * brushedRadiance(s, light.edge);
-    if (mergesLobes) return light.diffuse + light.weight * mergedRadiance(s, light.lobe, light.edge, light.weight, light.base);
+vec3 reflectedLight(Surface s, EnvironmentLight light) {
+    if (mergesLobes) return mergedRadiance(s, light.lobe, light.edge, light.weight, light.base);
     vec3 sum = vec3(0.0);
     ReflectionLobe lobe = light.lobe;
     for (int k = 0; k < lobeCount; ++k) { // in one place: see stages/glass_lookups.glsl
-        if (k > 0) lobe = fetchReflectionLobeOf(lobeTable, k, lobeCount, s.wo, s.n, s.alpha, light.edge);
+        if (lobeCount > 1) { // a constant: one lobe reads no table here
+            if (k > 0) lobe = fetchReflectionLobeOf(lobeTable, k, lobeCount, s.wo, s.n, s.alpha, light.edge);
+        }
         sum += lobe.weight * reflectedRadiance(s, lobe.direction, lobe.sigma);
     }
-    vec3 all = light.diffuse + light.weight * sum;
+    return sum;
+}
+
+vec3 environmentLight(Surface s) {
+    EnvironmentLight light = environmentLobe(s);
+    if (brushedLobes > 0) return light.diffuse + light.weight * brushedRadiance(s, light.edge);
+    vec3 all = light.diffuse + light.weight * reflectedLight(s, light);
     if (hasHollows) all *= reachesHollow(s, light.weight);
     return all;
 }

@@ -1,4 +1,4 @@
-// Made by shaders/wgsl/make of 97970809bf96bbbac313d43375bb37457b0fff6671ec0a233153d5fb7a96d1b9: do not edit.
+// Made by shaders/wgsl/make of cbeaa64a588c91e2bc1e584faabf6c6b4dfd83c87bdfd86095351a3c5ddf46e8: do not edit.
 struct Tilt {
     p: f32,
     z: f32,
@@ -7281,8 +7281,6 @@ fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec
     var origin_13: vec3<f32>;
     var direction_21: vec3<f32>;
     var view_24: SceneView;
-    var stepX_2: vec3<f32>;
-    var stepY_2: vec3<f32>;
     var right_2: BackFace;
     var below_6: BackFace;
     var off_2: vec2<f32>;
@@ -7299,77 +7297,73 @@ fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec
     origin_13 = origin_12;
     direction_21 = direction_20;
     view_24 = view_23;
-    let _e46 = view_24;
-    let _e48 = pixelStep(_e46, 0i);
-    stepX_2 = _e48;
-    let _e50 = view_24;
-    let _e52 = pixelStep(_e50, 1i);
-    stepY_2 = _e52;
-    let _e54 = face_8;
-    let _e55 = at_23;
-    let _e60 = p_15;
-    let _e61 = w_32;
-    let _e62 = stepX_2;
-    let _e65 = w_32;
-    let _e66 = which_5;
-    let _e67 = view_24;
-    let _e68 = backFaceBeside(_e54, (_e55 + vec2<f32>(1f, 0f)), (_e60 + (_e61 * _e62)), _e65, _e66, _e67);
-    right_2 = _e68;
-    let _e70 = face_8;
-    let _e71 = at_23;
-    let _e76 = p_15;
+    let _e46 = face_8;
+    let _e47 = at_23;
+    let _e52 = p_15;
+    let _e53 = w_32;
+    let _e54 = view_24;
+    let _e56 = pixelStep(_e54, 0i);
+    let _e59 = w_32;
+    let _e60 = which_5;
+    let _e61 = view_24;
+    let _e62 = backFaceBeside(_e46, (_e47 + vec2<f32>(1f, 0f)), (_e52 + (_e53 * _e56)), _e59, _e60, _e61);
+    right_2 = _e62;
+    let _e64 = face_8;
+    let _e65 = at_23;
+    let _e70 = p_15;
+    let _e71 = w_32;
+    let _e72 = view_24;
+    let _e74 = pixelStep(_e72, 1i);
     let _e77 = w_32;
-    let _e78 = stepY_2;
-    let _e81 = w_32;
-    let _e82 = which_5;
-    let _e83 = view_24;
-    let _e84 = backFaceBeside(_e70, (_e71 + vec2<f32>(0f, 1f)), (_e76 + (_e77 * _e78)), _e81, _e82, _e83);
-    below_6 = _e84;
-    let _e86 = hit_1;
-    let _e87 = at_23;
-    off_2 = ((_e86 - floor(_e87)) - vec2(0.5f));
-    let _e98 = face_8;
-    let _e100 = off_2;
-    let _e102 = right_2;
-    let _e104 = face_8;
-    let _e109 = off_2;
-    let _e111 = below_6;
-    let _e113 = face_8;
-    found_2.exit.surface.n = normalize(((_e98.n + (_e100.x * (_e102.n - _e104.n))) + (_e109.y * (_e111.n - _e113.n))));
-    let _e122 = face_8;
-    found_2.exit.surface.alpha = _e122.alpha;
-    let _e126 = origin_13;
-    let _e127 = direction_21;
-    let _e128 = face_8;
+    let _e78 = which_5;
+    let _e79 = view_24;
+    let _e80 = backFaceBeside(_e64, (_e65 + vec2<f32>(0f, 1f)), (_e70 + (_e71 * _e74)), _e77, _e78, _e79);
+    below_6 = _e80;
+    let _e82 = hit_1;
+    let _e83 = at_23;
+    off_2 = ((_e82 - floor(_e83)) - vec2(0.5f));
+    let _e94 = face_8;
+    let _e96 = off_2;
+    let _e98 = right_2;
+    let _e100 = face_8;
+    let _e105 = off_2;
+    let _e107 = below_6;
+    let _e109 = face_8;
+    found_2.exit.surface.n = normalize(((_e94.n + (_e96.x * (_e98.n - _e100.n))) + (_e105.y * (_e107.n - _e109.n))));
+    let _e118 = face_8;
+    found_2.exit.surface.alpha = _e118.alpha;
+    let _e122 = origin_13;
+    let _e123 = direction_21;
+    let _e124 = face_8;
+    let _e126 = face_8;
+    let _e128 = exitPlane(_e122, _e123, _e124.point, _e126.n);
+    found_2.exit.path = _e128;
     let _e130 = face_8;
-    let _e132 = exitPlane(_e126, _e127, _e128.point, _e130.n);
-    found_2.exit.path = _e132;
-    let _e134 = face_8;
-    found_2.number = _e134.number;
-    let _e136 = direction_21;
-    let _e137 = found_2;
-    cosTheta_38 = dot(_e136, _e137.exit.surface.n);
-    let _e143 = face_8;
-    let _e145 = direction_21;
-    let _e146 = right_2;
-    let _e148 = face_8;
-    let _e151 = right_2;
-    let _e153 = face_8;
-    let _e156 = below_6;
-    let _e158 = face_8;
-    let _e161 = below_6;
-    let _e163 = face_8;
-    let _e166 = exitCurvature(_e143.n, _e145, (_e146.point - _e148.point), (_e151.n - _e153.n), (_e156.point - _e158.point), (_e161.n - _e163.n));
-    curvature_4 = _e166;
-    let _e171 = cosTheta_38;
-    let _e172 = found_2;
-    let _e175 = curvature_4;
-    let _e176 = exitTurn(_e171, _e172.exit.path, _e175);
-    found_2.exit.surface.turn = _e176;
-    let _e178 = cosTheta_38;
-    found_2.found = (_e178 > 0f);
-    let _e181 = found_2;
-    return _e181;
+    found_2.number = _e130.number;
+    let _e132 = direction_21;
+    let _e133 = found_2;
+    cosTheta_38 = dot(_e132, _e133.exit.surface.n);
+    let _e139 = face_8;
+    let _e141 = direction_21;
+    let _e142 = right_2;
+    let _e144 = face_8;
+    let _e147 = right_2;
+    let _e149 = face_8;
+    let _e152 = below_6;
+    let _e154 = face_8;
+    let _e157 = below_6;
+    let _e159 = face_8;
+    let _e162 = exitCurvature(_e139.n, _e141, (_e142.point - _e144.point), (_e147.n - _e149.n), (_e152.point - _e154.point), (_e157.n - _e159.n));
+    curvature_4 = _e162;
+    let _e167 = cosTheta_38;
+    let _e168 = found_2;
+    let _e171 = curvature_4;
+    let _e172 = exitTurn(_e167, _e168.exit.path, _e171);
+    found_2.exit.surface.turn = _e172;
+    let _e174 = cosTheta_38;
+    found_2.found = (_e174 > 0f);
+    let _e177 = found_2;
+    return _e177;
 }
 
 fn backFaceExit(origin_14: vec3<f32>, direction_22: vec3<f32>, first_6: f32, eta_44: f32, which_6: FaceLayer, view_25: SceneView) -> BackFaceExit {
@@ -7453,77 +7447,75 @@ fn backFaceExit(origin_14: vec3<f32>, direction_22: vec3<f32>, first_6: f32, eta
             meets = ((_e120.exists && (dot(_e122, _e123.n) > 0f)) && (_e129 > 0f));
             let _e134 = k_25;
             let _e137 = meets;
-            let _e140 = face_9;
-            if (((_e134 == 0i) && !(_e137)) && _e140.exists) {
+            if ((_e134 == 0i) && !(_e137)) {
                 {
-                    let _e143 = face_9;
-                    let _e145 = p_16;
-                    t_29 = length((_e143.point - _e145));
+                    let _e140 = face_9;
+                    if !(_e140.exists) {
+                        let _e143 = none;
+                        return _e143;
+                    }
+                    let _e144 = face_9;
+                    let _e146 = p_16;
+                    t_29 = length((_e144.point - _e146));
                     continue;
                 }
             }
-            let _e148 = k_25;
-            let _e151 = meets;
-            if ((_e148 == 0i) && !(_e151)) {
-                let _e154 = none;
-                return _e154;
-            }
-            let _e155 = meets;
-            if !(_e155) {
+            let _e149 = meets;
+            if !(_e149) {
                 {
-                    let _e158 = inside_2;
-                    let _e159 = t_29;
-                    t_29 = (0.5f * (_e158 + _e159));
+                    let _e152 = inside_2;
+                    let _e153 = t_29;
+                    t_29 = (0.5f * (_e152 + _e153));
                     continue;
                 }
             }
-            let _e162 = view_26;
-            let _e164 = origin_15;
-            let _e165 = met_4;
-            let _e166 = direction_23;
-            let _e168 = (_e164 + (_e165 * _e166));
-            there_1 = (_e162.clipFromWorld * vec4<f32>(_e168.x, _e168.y, _e168.z, 1f));
-            let _e176 = there_1;
-            let _e177 = view_26;
-            let _e179 = scenePixel(_e176, _e177.size);
-            hit_2 = _e179;
-            let _e181 = hit_2;
-            let _e182 = at_24;
-            moved = (_e181 - _e182);
-            let _e185 = there_1;
-            let _e189 = moved;
-            let _e190 = moved;
-            if ((_e185.w > 0f) && (dot(_e189, _e190) < 0.5f)) {
+            let _e156 = view_26;
+            let _e158 = origin_15;
+            let _e159 = met_4;
+            let _e160 = direction_23;
+            let _e162 = (_e158 + (_e159 * _e160));
+            there_1 = (_e156.clipFromWorld * vec4<f32>(_e162.x, _e162.y, _e162.z, 1f));
+            let _e170 = there_1;
+            let _e171 = view_26;
+            let _e173 = scenePixel(_e170, _e171.size);
+            hit_2 = _e173;
+            let _e175 = hit_2;
+            let _e176 = at_24;
+            moved = (_e175 - _e176);
+            let _e179 = there_1;
+            let _e183 = moved;
+            let _e184 = moved;
+            if ((_e179.w > 0f) && (dot(_e183, _e184) < 0.5f)) {
                 {
-                    let _e195 = face_9;
-                    let _e196 = at_24;
-                    let _e197 = hit_2;
-                    let _e198 = p_16;
-                    let _e199 = clip_3;
-                    let _e201 = which_7;
-                    let _e202 = origin_15;
-                    let _e203 = direction_23;
-                    let _e204 = view_26;
-                    let _e205 = backFaceBetween(_e195, _e196, _e197, _e198, _e199.w, _e201, _e202, _e203, _e204);
-                    found_3 = _e205;
-                    let _e210 = eta_45;
-                    found_3.exit.surface.eta = _e210;
-                    let _e211 = found_3;
-                    return _e211;
+                    let _e189 = face_9;
+                    let _e190 = at_24;
+                    let _e191 = hit_2;
+                    let _e192 = p_16;
+                    let _e193 = clip_3;
+                    let _e195 = which_7;
+                    let _e196 = origin_15;
+                    let _e197 = direction_23;
+                    let _e198 = view_26;
+                    let _e199 = backFaceBetween(_e189, _e190, _e191, _e192, _e193.w, _e195, _e196, _e197, _e198);
+                    found_3 = _e199;
+                    let _e204 = eta_45;
+                    found_3.exit.surface.eta = _e204;
+                    let _e205 = found_3;
+                    return _e205;
                 }
             }
-            let _e212 = t_29;
-            inside_2 = _e212;
-            let _e213 = met_4;
-            t_29 = _e213;
+            let _e206 = t_29;
+            inside_2 = _e206;
+            let _e207 = met_4;
+            t_29 = _e207;
         }
         continuing {
             let _e74 = k_25;
             k_25 = (_e74 + 1i);
         }
     }
-    let _e214 = none;
-    return _e214;
+    let _e208 = none;
+    return _e208;
 }
 
 fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: f32, sigma_8: f32, weight: f32, energy_1: f32) -> ComposedLobe {
