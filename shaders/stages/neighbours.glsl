@@ -60,8 +60,7 @@ Composed withTaken(Composed c, float share, vec3 tint) {
 }
 
 // What the receiver's own body takes of the light of its neighbours, and what it gives them: light is between the two once more.
-// Glass reflects too little for that.
-const bool knowsOwn = ownProxy != 0 && opaqueAround;
+const bool knowsOwn = ownProxy != 0;
 const bool ownIsSphere = ownProxy == 1;
 NeighbourData ownBody() { return neighbours.each[ofPixel(MOST_NEIGHBOURS)]; }
 
