@@ -69,17 +69,22 @@ def a_slider_changes_what_is_picked_and_undo_takes_it_back():
         assert v.close() == 0, v.errors()
 
 
+def assert_saved_is_copied(desk, v):
+    """The picture that the window saves is that of the line which it prints."""
+    v.key("s", "Control_L")
+    words = shlex.split(v.read_line())
+    saved = (desk.path / "groundglass.png").read_bytes()
+    words[0] = PROGRAM
+    words[words.index("-o") + 1] = "captured.png"
+    subprocess.run(words, cwd=desk.path, check=True)
+    assert (desk.path / "captured.png").read_bytes() == saved
+
+
 def the_copied_line_reproduces_the_saved_picture():
     with Desk() as desk, viewer(desk, "--exposure", "0.5", "--material", "*=,alpha=0.2", "--background", "blurred",
                                 "--without", "neighbours", plain=False, size=(600, 240)).open() as v:
         v.drag((100, 150), (140, 160))
-        v.key("s", "Control_L")
-        words = shlex.split(v.read_line())
-        saved = (desk.path / "groundglass.png").read_bytes()
-        words[0] = PROGRAM
-        words[words.index("-o") + 1] = "captured.png"
-        subprocess.run(words, cwd=desk.path, check=True)
-        assert (desk.path / "captured.png").read_bytes() == saved
+        assert_saved_is_copied(desk, v)
         assert v.close() == 0, v.errors()
 
 
@@ -288,14 +293,7 @@ def an_animation_plays_and_stands_still():
             line = v.copied()
             time.sleep(0.5)
             assert v.copied() == line and option(line, "--eye"), line
-            # What is shown is what the line says.
-            v.key("s", "Control_L")
-            words = shlex.split(v.read_line())
-            saved = (desk.path / "groundglass.png").read_bytes()
-            words[0] = PROGRAM
-            words[words.index("-o") + 1] = "captured.png"
-            subprocess.run(words, cwd=desk.path, check=True)
-            assert (desk.path / "captured.png").read_bytes() == saved
+            assert_saved_is_copied(desk, v)
             assert v.close() == 0, v.errors()
 
 
