@@ -31,17 +31,18 @@ gpu::Device& device() {
 }
 
 // A sky that is brighter above.
-environment::Stack sky() {
+environment::Map sky() {
   environment::Map map = environment::constant(glm::vec3(0.5f));
   map.width = 4;
   map.height = 2;
   map.rgb.assign(24, 0.25f);
   std::fill_n(map.rgb.begin(), 12, 1.0f);
-  return environment::build(device(), map);
+  return map;
 }
 
 Drawn draw(const scene::Scene& scene) {
-  const environment::Stack stack = sky();
+  const environment::Map map = sky();
+  const environment::Stack stack = environment::build(device(), map);
   device().finish();
   Drawn drawn;
   const std::size_t before = device().memory_bytes();
@@ -208,7 +209,7 @@ TEST(needs, the_second_turn_about_a_scene_makes_nothing) {
 
 // What a feature is worth is told by the frame without it, which is that of a material that does not have it.
 TEST(needs, a_frame_without_a_feature_is_that_of_a_material_without_it) {
-  const environment::Stack stack = sky();
+  const environment::Stack stack = environment::build(device(), sky());
   const auto draw = [&](const scene::Material& material, const std::string& without) {
     const scene::Scene scene = ball(material);
     frame::Renderer renderer(device(), scene,
