@@ -5,9 +5,9 @@
 //          texels are about one pixel and a half. Each texel is compared with the depth of the surface's own plane there, so that a
 //          plane never shadows itself and shadows begin where things touch.
 // Limits   a place in front of some glass and behind other is tinted by both.
-layout(binding = 46) uniform sampler2DArray shadowDepth;
-layout(binding = 47) uniform sampler2DArray shadowGlassDepth;
-layout(binding = 48) uniform sampler2DArray shadowTint;
+layout(binding = 48) uniform sampler2DArray shadowDepth;
+layout(binding = 49) uniform sampler2DArray shadowGlassDepth;
+layout(binding = 50) uniform sampler2DArray shadowTint;
 
 const bool shadowsAreTinted = lighting == 3;
 

@@ -376,4 +376,40 @@ TEST_P(Render, a_material_that_sees_no_light_is_black_and_not_nan) {
     }
 }
 
+// Shadow maps and the maps of light that a base passes are read by one shader.
+TEST_P(Render, maps_of_passed_light_are_read_where_shadows_are_too) {
+  scene::Material sheet = dielectric(0.5f);
+  sheet.double_sided = true;
+  sheet.diffuse_transmission = 1.0f;
+  scene::Material pane = glass(0.0f);
+  pane.thickness = 0.0f;
+  pane.base_color = {0.25f, 0.8f, 0.4f, 1.0f};
+  const auto drawn = [&](bool mapped) {
+    scene::Scene scene = square(sheet);
+    scene::Material& m = scene.materials[0];
+    constexpr float half = 128.0f / 255.0f;
+    if (mapped) {
+      m.diffuse_transmission_map = add_texture(scene, 1, 1, {255, 255, 255, 128});
+      m.diffuse_transmission_color_map = add_texture(scene, 1, 1, {255, 255, 0, 255});
+    } else {
+      m.diffuse_transmission = half;
+      m.diffuse_transmission_color = {1.0f, 1.0f, 0.0f};
+    }
+    scene::Light sun;
+    sun.kind = scene::LightKind::directional;
+    sun.direction = glm::normalize(glm::vec3(0.1f, 0.2f, 1.0f)); // from behind
+    scene.lights = {sun};
+    const auto behind = [](float x) {
+      return glm::scale(glm::translate(glm::mat4(1.0f), {x, 0.0f, -0.3f}), glm::vec3(0.25f));
+    };
+    add(scene, square(dielectric(1.0f)), behind(0.3f));
+    add(scene, square(pane), behind(-0.3f));
+    return draw(scene, {std::nullopt, head_on()});
+  };
+  const image::Image by_factors = drawn(false), by_maps = drawn(true);
+  EXPECT_GT(centre(by_factors).x, 0.05f);
+  for (std::size_t i = 0; i < by_maps.values.size(); ++i)
+    ASSERT_NEAR(by_maps.values[i], by_factors.values[i], 1e-5f) << i;
+}
+
 } // namespace gg::test
