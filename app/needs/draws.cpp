@@ -179,6 +179,14 @@ bool is_outside(const scene::Bounds& bounds, const glm::dmat4& clip_from_world, 
   return beyond != 0;
 }
 
+std::pair<std::size_t, std::size_t> place_in(const scene::Scene& scene, const Draws& draws,
+                                             const Draw& draw) {
+  const scene::Instance* instance = draws.instances[draw.instance_index];
+  const auto& primitives = scene.meshes[static_cast<std::size_t>(instance->mesh)].primitives;
+  return {static_cast<std::size_t>(instance - scene.instances.data()),
+          static_cast<std::size_t>(draw.primitive - primitives.data())};
+}
+
 Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes) {
   const FrameFeatures frame{.method = view.method,
                             .correlated_smith = view.correlated_smith,

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gg::needs {
@@ -73,6 +74,10 @@ struct Draws {
   std::size_t outside = 0;   // primitives of instances that are left out: not in the view
   std::size_t invisible = 0; // the same: glass of index 1 with nothing to it
 };
+
+// What a draw is of: indices of its instance into the scene, and of its primitive into the instance's mesh.
+std::pair<std::size_t, std::size_t> place_in(const scene::Scene& scene, const Draws& draws,
+                                             const Draw& draw);
 
 // `scene` must outlive the result. What is not in the view, or cannot be seen, is as if it were not in the file.
 Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes);

@@ -57,12 +57,7 @@ void add_hollows(Needs& needs, Shapes& shapes) {
         || value_of(draw.key, Feature::anisotropy) != 0)
       continue;
     if (!needs.hollows) needs.hollows = shapes.hollows();
-    const scene::Instance* instance = needs.draws.instances[draw.instance_index];
-    const auto& primitives =
-        needs.scene->meshes[static_cast<std::size_t>(instance->mesh)].primitives;
-    const auto found =
-        needs.hollows->of.find({static_cast<std::size_t>(instance - needs.scene->instances.data()),
-                                static_cast<std::size_t>(draw.primitive - primitives.data())});
+    const auto found = needs.hollows->of.find(place_in(*needs.scene, needs.draws, draw));
     if (found == needs.hollows->of.end()) continue;
     set_value(draw.key, Feature::hollows, 1);
     constexpr int location = 8; // of stages/opaque.vert

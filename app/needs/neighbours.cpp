@@ -94,22 +94,13 @@ std::vector<std::uint32_t> neighbours_of(const Draw& draw, std::size_t body,
   return list;
 }
 
-// Draws point into the scene's lists.
-template <class T>
-std::size_t place_in(const std::vector<T>& list, const T* element) {
-  return static_cast<std::size_t>(element - list.data());
-}
-
 } // namespace
 
 void find_neighbours(Draws& draws, const scene::Scene& scene, const Proxies& proxies) {
   for (Draw& draw : draws.all) {
     if (draw.material->unlit || draw.role == Role::refractive)
       continue; // glass looks at the picture
-    const scene::Instance* instance = draws.instances[draw.instance_index];
-    const auto& primitives = scene.meshes[static_cast<std::size_t>(instance->mesh)].primitives;
-    const auto own = proxies.bodies.find(
-        {place_in(scene.instances, instance), place_in(primitives, draw.primitive)});
+    const auto own = proxies.bodies.find(place_in(scene, draws, draw));
     // What does not cast is no body.
     const std::size_t body =
         own == proxies.bodies.end() ? static_cast<std::size_t>(-1) : own->second;

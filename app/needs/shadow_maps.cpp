@@ -202,11 +202,7 @@ bool hides_any(const Draw& caster, const Draws& draws, const std::vector<const D
 // Whether a ball of glass stands for the draw.
 bool is_lens(const Draw& draw, const scene::Scene& scene, const Draws& draws,
              const Proxies& proxies) {
-  const scene::Instance* instance = draws.instances[draw.instance_index];
-  const auto& primitives = scene.meshes[static_cast<std::size_t>(instance->mesh)].primitives;
-  const auto own =
-      proxies.bodies.find({static_cast<std::size_t>(instance - scene.instances.data()),
-                           static_cast<std::size_t>(draw.primitive - primitives.data())});
+  const auto own = proxies.bodies.find(place_in(scene, draws, draw));
   return own != proxies.bodies.end() && std::ranges::any_of(proxies.all, [&](const Proxy& proxy) {
            return proxy.body == own->second && is_lens(proxy);
          });

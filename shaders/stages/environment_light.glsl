@@ -109,15 +109,13 @@ EnvironmentLight environmentLobe(Surface s) {
         if (hasBase) {
             vec3 angles = diffuseAngles(cosO);
             vec3 fresnel = mix(dielectricFresnel(s, angles.y), dielectricFresnel(s, angles.x), angles.z);
-            float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
-            float base = shading == 3 ? 1.0 - s.metallic : 1.0;
-            if (transmission > 0) base *= 1.0 - s.transmission;
-            light.base = base * under * baseReflected(s);
+            float under = baseUnder(s, fresnel);
+            light.base = under * baseReflected(s);
             light.diffuse += light.base * around;
             if (passesDiffuse) {
                 vec3 behind = wideRadiance(-s.n);
                 if (neighbourKinds != 0) behind = surroundingIrradiance(s.position, -s.n);
-                light.diffuse += base * under * basePassed(s) * behind;
+                light.diffuse += under * basePassed(s) * behind;
             }
         }
         if (scattersAgain) light.diffuse += multiplyScattered(s, albedo, reflectance) * around;

@@ -73,9 +73,8 @@ float brushedLobe(Surface s, vec3 wi) {
     return ggxAnisoD(i + o, brushWidths(s)) * v;
 }
 
-// What the dielectric part leaves to its diffuse base, at a facet.
-float baseUnder(Surface s, float c) {
-    vec3 fresnel = dielectricFresnel(s, c);
+// What the dielectric part, which reflects `fresnel`, leaves to its diffuse base.
+float baseUnder(Surface s, vec3 fresnel) {
     float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
     float base = shading == 3 ? 1.0 - s.metallic : 1.0;
     if (transmission > 0) base *= 1.0 - s.transmission;
@@ -91,7 +90,7 @@ vec3 passedFCos(Surface s, vec3 wi) {
     float c = dot(wi, s.n);
     if (c >= 0.0) return vec3(0.0);
     Facet f = reflectionFacet(wi - 2.0 * c * s.n, s.wo, s.n, 1.5);
-    return f.exists ? baseUnder(s, f.woDotM) * basePassed(s) * (f.wi.z / BSDF_PI) : vec3(0.0);
+    return f.exists ? baseUnder(s, dielectricFresnel(s, f.woDotM)) * basePassed(s) * (f.wi.z / BSDF_PI) : vec3(0.0);
 }
 
 // f(wi, wo) |wi . n|. Smooth surfaces (alpha = 0) reflect a point of light to nobody: 0.
@@ -105,7 +104,7 @@ vec3 materialFCos(Surface s, vec3 wi) {
     float c = f.woDotM;
     vec3 value = materialFresnel(s, c) * lobe;
     if (shading == 1 || shading == 3) {
-        value += baseUnder(s, c) * baseReflected(s) / BSDF_PI;
+        value += baseUnder(s, dielectricFresnel(s, c)) * baseReflected(s) / BSDF_PI;
     }
     return value * f.wi.z;
 }

@@ -35,6 +35,25 @@ inline std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+// Bindings are those of the shaders: blocks 0 and 1 (the second at an offset of each draw in Vulkan), textures 2 to 13.
+enum {
+  FRAME,
+  DRAW,
+  COLOR,
+  ROUGHNESS,
+  ENERGY,
+  LOBES,
+  REFLECTION,
+  PYRAMID,
+  DEPTH,
+  EVEN,
+  ODD,
+  BACKS,
+  SECOND_FRONTS,
+  SECOND_BACKS,
+  BINDINGS
+};
+
 // Uniform blocks, std140: shaders/*.frag say what each member is.
 constexpr int LEVELS = 14;
 struct FrameBlock {

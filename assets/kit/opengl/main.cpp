@@ -112,24 +112,6 @@ struct FaceLayer {
   GLuint program, target;
 };
 
-// Bindings are those of the shaders: blocks 0 and 1, textures 2 to 13.
-enum {
-  FRAME,
-  DRAW,
-  COLOR,
-  ROUGHNESS,
-  ENERGY,
-  LOBES,
-  REFLECTION,
-  PYRAMID,
-  DEPTH,
-  EVEN,
-  ODD,
-  BACKS,
-  SECOND_FRONTS,
-  SECOND_BACKS
-};
-
 class Renderer {
 public:
   Renderer(const Scene& scene, const Environment& map, int width, int height, bool pairs)

@@ -4,24 +4,6 @@
 
 namespace {
 
-// Bindings are those of the shaders: blocks 0 and 1 (the second at an offset of each draw), textures 2 to 13.
-enum {
-  FRAME,
-  DRAW,
-  COLOR,
-  ROUGHNESS,
-  ENERGY,
-  LOBES,
-  REFLECTION,
-  PYRAMID,
-  DEPTH,
-  EVEN,
-  ODD,
-  BACKS,
-  SECOND_FRONTS,
-  SECOND_BACKS,
-  BINDINGS
-};
 struct Texture {
   VkImageView view;
   VkSampler sampler;
