@@ -16,7 +16,6 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
-#include <set>
 #include <sstream>
 
 namespace gg::commands {
@@ -180,14 +179,6 @@ void check(const Options& o) {
   if (!o.settings.screenshot_window.empty()) OutputFile probe(o.settings.screenshot_window);
 }
 
-std::set<std::string> names_of(const std::string& list) {
-  std::set<std::string> names;
-  std::istringstream in(list);
-  for (std::string name; std::getline(in, name, ',');)
-    names.insert(name);
-  return names;
-}
-
 void view(Options o) {
   check(o);
   if (o.scene.scene.empty())
@@ -208,7 +199,7 @@ void view(Options o) {
                    .method = o.method.method,
                    .smith = o.method.smith,
                    .multiscatter = o.method.multiscatter,
-                   .without = names_of(o.method.without),
+                   .without = needs::names_left_out(o.method.without),
                    .samples = o.method.samples,
                    .exposure = o.exposure,
                    .tonemap = o.tonemap};

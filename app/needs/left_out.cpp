@@ -54,10 +54,21 @@ const std::vector<std::string>& names_to_leave_out() {
   return names;
 }
 
-FeatureSet left_out(const std::string& names) {
-  FeatureSet set;
+std::set<std::string> names_left_out(const std::string& names) {
+  std::set<std::string> all;
   std::istringstream in(names);
-  for (std::string name; std::getline(in, name, ',');) {
+  for (std::string name; std::getline(in, name, ',');)
+    all.insert(name);
+  return all;
+}
+
+FeatureSet left_out(const std::string& names) {
+  return left_out(names_left_out(names));
+}
+
+FeatureSet left_out(const std::set<std::string>& names) {
+  FeatureSet set;
+  for (const std::string& name : names) {
     const auto* const found = std::ranges::find(entries, name, &Entry::name);
     if (found == std::end(entries))
       throw Error(

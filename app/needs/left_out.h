@@ -3,6 +3,7 @@
 
 #include "needs/features.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,5 +13,8 @@ namespace gg::needs {
 const std::vector<std::string>& names_to_leave_out();
 // Of names with a comma after each but the last; empty: none. Throws Error(usage) naming --without.
 FeatureSet left_out(const std::string& names);
+// Such a list taken apart, and the features of these names.
+std::set<std::string> names_left_out(const std::string& names);
+FeatureSet left_out(const std::set<std::string>& names);
 
 } // namespace gg::needs

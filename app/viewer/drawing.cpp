@@ -58,7 +58,7 @@ frame::FrameDesc Application::frame_desc(double scale, int samples) const {
           .method = commands_.method(session_.view.method),
           .correlated_smith = session_.view.smith == "correlated",
           .multiple_scattering = session_.view.multiscatter,
-          .without = needs::left_out(session_.view.left_out()),
+          .without = needs::left_out(session_.view.without),
           .background = commands_.background(session_.view)};
 }
 

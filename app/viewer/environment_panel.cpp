@@ -12,9 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the view's map is called, without its resolution.
+// What the view's map is called; of a file, its name without folder and extension.
 std::string name_of(const View& view) {
-  return view.env.empty() ? "royal_esplanade" : fs::path(view.env).stem().string();
+  if (view.env.empty()) return "royal_esplanade";
+  const fs::path path = view.env;
+  const bool is_file = path.extension() == ".hdr" || path.extension() == ".exr";
+  return is_file ? path.stem().string() : view.env; // else a name, `none` or a colour
 }
 
 void draw_thumbnails(Session& session, float scale) {

@@ -18,9 +18,16 @@ namespace fs = std::filesystem;
 
 constexpr float width_of_panels = 340.0f;
 
+// For a field with a button of these words to its right; the panel's scale is in the letters.
+void leave_room_for(const char* button) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::SetNextItemWidth(
+      -(ImGui::CalcTextSize(button).x + 2.0f * style.FramePadding.x + style.ItemSpacing.x));
+}
+
 void draw_scene_panel(Session& session) {
   static std::string path;
-  ImGui::SetNextItemWidth(-60.0f);
+  leave_room_for("Open");
   const bool entered =
       ImGui::InputTextWithHint("##path", ".gltf, .glb, .hdr or .exr: type, or drop it here", &path,
                                ImGuiInputTextFlags_EnterReturnsTrue);
@@ -141,11 +148,11 @@ void draw_save_panel(Session& session) {
   }
   ImGui::NewLine();
   static std::string picture = "groundglass.png", copy = "edited.glb";
-  ImGui::SetNextItemWidth(-110.0f);
+  leave_room_for("Save picture");
   ImGui::InputText("##picture", &picture);
   ImGui::SameLine();
   if (ImGui::Button("Save picture")) session.requests.save_picture = picture;
-  ImGui::SetNextItemWidth(-110.0f);
+  leave_room_for("Save picture"); // as wide as the field above
   ImGui::InputText("##copy", &copy);
   ImGui::SameLine();
   if (ImGui::Button("Save glTF")) session.requests.save_materials = copy;
@@ -167,15 +174,16 @@ void draw_debug_panel(Session& session) {
     ImGui::Text("black 0, yellow %.0f lookups of a pixel", session.debug_greatest);
 }
 
-void draw_status(const Session& session, float scale) {
-  const ImGuiIO& io = ImGui::GetIO();
-  ImGui::SetNextWindowPos({8.0f * scale, io.DisplaySize.y - 8.0f * scale}, ImGuiCond_Always,
-                          {0.0f, 1.0f});
-  ImGui::SetNextWindowBgAlpha(0.55f);
-  constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration
-                                     | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs
-                                     | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-  ImGui::Begin("status", nullptr, flags);
+std::string truth_words(const TruthRun::Report* report) {
+  if (!report) return "truth: starts when nothing moves";
+  std::string words =
+      fmt::format("truth: {} sample{} per pixel", report->samples, report->samples == 1 ? "" : "s");
+  // One sample does not say how far others would be from it.
+  if (report->samples > 1) words += fmt::format(", error {:.1f} %", 100.0 * report->error);
+  return words;
+}
+
+std::string status_words(const Session& session) {
   std::string line;
   if (!session.loading.empty())
     line = session.loading;
@@ -186,11 +194,23 @@ void draw_status(const Session& session, float scale) {
         fmt::format("{:.0f} ms at {:.0f} % of the width", session.frame_ms, 100.0 * session.scale);
   else
     line = fmt::format("{} of {} samples", session.drawn, session.view.samples);
-  if (session.truth && session.second.empty())
-    line += session.report ? fmt::format("   truth: {} samples per pixel, error {:.1f} %",
-                                         session.report->samples, 100.0 * session.report->error)
-                           : std::string("   truth: starts when nothing moves");
+  if (session.truth && session.second.empty()) line += "   " + truth_words(session.report.get());
   if (!session.said.empty()) line += "   " + session.said;
+  return line;
+}
+
+void draw_status(const Session& session, float scale) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const std::string line = status_words(session);
+  // Dear ImGui's own fitting is a frame late, and that frame may be the last for a while.
+  const ImVec2 text = ImGui::CalcTextSize(line.c_str()), padding = ImGui::GetStyle().WindowPadding;
+  ImGui::SetNextWindowSize({text.x + 2.0f * padding.x, text.y + 2.0f * padding.y});
+  ImGui::SetNextWindowPos({8.0f * scale, io.DisplaySize.y - 8.0f * scale}, ImGuiCond_Always,
+                          {0.0f, 1.0f});
+  ImGui::SetNextWindowBgAlpha(0.55f);
+  constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs
+                                     | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+  ImGui::Begin("status", nullptr, flags);
   ImGui::TextUnformatted(line.c_str());
   ImGui::End();
 }

@@ -59,7 +59,8 @@ void draw_truth_panel(Session& session, const std::vector<std::string>& methods)
     ImGui::TextWrapped("%s", session.report->failed.c_str());
     return;
   }
-  ImGui::Text("%ld samples per pixel, %.0f s", session.report->samples, session.report->seconds);
+  ImGui::Text("%ld sample%s per pixel, %.0f s", session.report->samples,
+              session.report->samples == 1 ? "" : "s", session.report->seconds);
   if (session.report->comparison) draw_numbers(*session.report->comparison);
 }
 

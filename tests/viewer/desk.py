@@ -38,6 +38,12 @@ class Desk:
         self.server.wait()
         self.folder.cleanup()
 
+    def set_scale(self, scale):
+        """Of letters and controls, as a desktop says it to windows that open from now on."""
+        root = self.display.screen().root
+        root.change_property(Xatom.RESOURCE_MANAGER, Xatom.STRING, 8, f"Xft.dpi:\t{96 * scale}\n".encode())
+        self.display.sync()
+
     def screen(self):
         """Rows of (r, g, b), as the X server keeps them: an XWD file that it maps into memory."""
         data = (self.path / "Xvfb_screen0").read_bytes()

@@ -261,6 +261,19 @@ def the_second_turn_and_a_slider_that_moves_again_create_nothing():
         assert times["paced"]["first_time"]["resources_created"] > 0, "the smallest size was there already"
 
 
+def at_twice_the_scale_the_panel_fits():
+    with Desk(960, 600) as desk:
+        desk.set_scale(2)
+        with viewer(desk, size=(480, 300)).open() as v: # of the desktop's units: two pixels each
+            assert v.window.get_geometry().width == 960, "the window does not take the display's scale"
+            v.rest()
+            # The button beside the path ends at the panel's padding, 16 pixels from its scroll bar; one that is cut ends at 8.
+            row = desk.screen()[84]
+            panel, button = row[925], row[912]
+            assert set(row[918:930]) == {panel} and button != panel, row[900:960]
+            assert v.close() == 0, v.errors()
+
+
 def moving(path):
     """A glTF file of a square that an animation moves for a second."""
     floats = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0]
