@@ -4,6 +4,7 @@
 #include "commands/json_file.h"
 #include "commands/options.h"
 #include "commands/sequence.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/progress.h"
@@ -20,7 +21,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -37,11 +37,6 @@ struct Options {
   float exposure = 0.0f; // EV
   int frames = 0;
 };
-
-using Clock = std::chrono::steady_clock;
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // Everything that can be wrong with where the results go, before the work that makes them.
 void check_outputs(const Options& o) {

@@ -1,16 +1,11 @@
 #include "report/timing.h"
 
-#include <chrono>
+#include "core/clock.h"
+
 #include <map>
 
 namespace gg::report {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 struct Samples {
   std::vector<double> pictures;

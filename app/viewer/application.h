@@ -1,6 +1,7 @@
 // The state of a running viewer and what carries out a frame of it.
 #pragma once
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "environment/stack.h"
 #include "viewer/display_pass.h"
@@ -15,12 +16,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <chrono>
 #include <functional>
 
 namespace gg::viewer {
-
-using Clock = std::chrono::steady_clock;
 
 class Application {
 public:

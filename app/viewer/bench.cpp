@@ -1,4 +1,5 @@
 // --bench-orbit: what a frame costs while something moves.
+#include "core/clock.h"
 #include "core/error.h"
 #include "needs/features.h"
 #include "viewer/application.h"
@@ -12,10 +13,6 @@
 
 namespace gg::viewer {
 namespace {
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // Nearest ranks.
 nlohmann::json distribution_of(std::vector<double> ms) {

@@ -1,4 +1,5 @@
 // The picture, the truth beside it, and both on the screen.
+#include "core/clock.h"
 #include "core/error.h"
 #include "image/heat_map.h"
 #include "needs/left_out.h"
@@ -15,10 +16,6 @@ namespace {
 constexpr auto still_after = std::chrono::milliseconds(150); // since the last change
 constexpr double still_slice_ms = 20.0; // of drawing between two looks at the mouse
 constexpr float outline_width = 2.0f;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // Display-encoded colours of a one-channel map.
 image::Image coloured(const image::Image& map, double top) {

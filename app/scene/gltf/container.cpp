@@ -44,7 +44,7 @@ std::string_view cut_chunks(Container& c) {
          "the header promises " + std::to_string(length) + " bytes, the file has "
              + std::to_string(bytes.size()),
          "The file is truncated: copy or export it again.");
-  std::optional<std::string_view> json;
+  std::optional<std::string_view> content;
   for (std::size_t at = header_size; at + chunk_header_size <= length;) {
     const std::size_t size = little_endian(bytes, at);
     const std::uint32_t type = little_endian(bytes, at + 4);
@@ -54,16 +54,16 @@ std::string_view cut_chunks(Container& c) {
            "a chunk of " + std::to_string(size) + " bytes does not fit into the "
                + std::to_string(length - start) + " that are left",
            "The file is truncated or damaged: copy or export it again.");
-    if (!json && type != chunk_json)
+    if (!content && type != chunk_json)
       fail(c.name, "byte " + std::to_string(at), "the first chunk of a .glb must be JSON");
-    if (!json)
-      json = text_of(bytes.subspan(start, size));
+    if (!content)
+      content = text_of(bytes.subspan(start, size));
     else if (type == chunk_binary && !c.payload)
       c.payload = bytes.subspan(start, size);
     at = start + size;
   }
-  if (!json) fail(c.name, "byte 12", "the .glb has no JSON chunk");
-  return *json;
+  if (!content) fail(c.name, "byte 12", "the .glb has no JSON chunk");
+  return *content;
 }
 
 std::string line_and_column(std::string_view text, std::size_t byte) {

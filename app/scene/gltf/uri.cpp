@@ -98,12 +98,12 @@ bool has_scheme(std::string_view uri) {
 std::filesystem::path outermost(const std::filesystem::path& directory) {
   const std::filesystem::path named = directory.lexically_normal();
   if (named.is_absolute()) return (named / "..").lexically_normal();
-  std::filesystem::path root;
+  std::filesystem::path outer;
   for (const auto& part : named) {
-    root /= part;
+    outer /= part;
     if (part != "..") break;
   }
-  return root;
+  return outer;
 }
 
 bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder) {
