@@ -124,9 +124,7 @@ vec3 radianceFrom(int firstWay, vec3 p, vec3 n, vec3 direction, float sigma, vec
             sum += taken * neighbourRadiance(o, p + met.distance * met.direction, -met.direction, met.n, spreadOf(o, met),
                                              1.0 - met.share * min(sigma / 0.65, 1.0));
             if (isGlass(o)) on = withPassed(on, o, met, p, taken);
-            // The product of two Gaussians, the lobe and what it meets.
-            float part = met.sigma * sigma * inversesqrt(max(met.sigma * met.sigma + sigma * sigma, 1e-12));
-            hidden += c.before * own * farRadiance(met.direction, part);
+            hidden += c.before * own * farRadiance(met.direction, partSigma(met, sigma));
             c = withTaken(c, met.share, vec3(0.0));
         }
         sum += weight * clamp(far - hidden, vec3(0.0), min(4.0 * c.passed.y, 1.0) * far);

@@ -106,7 +106,8 @@ vec3 irradianceOf(vec3 p, vec3 n, float lit) {
             share = capFormFactor(dot(f, n) / max(length(f), 1e-6), length(f));
             towards = f / max(length(f), 1e-6);
         }
-        around = mix(around, lit * ownRadiance(towards), share);
+        vec3 bent = normalize((2.0 / 3.0) * n - share * towards + 0.02 * n);
+        around = (1.0 - share) * max(wideRadiance(bent) - sunAcross(bent), vec3(0.0)) + share * lit * ownRadiance(towards);
         // Of what is seen of the neighbour the sun is hidden from more than this point: as a wide lobe.
         if (ofPixel(sun.y) > 0.0) sun *= 1.0 - ownShareOf(p, frame.sunDirection.xyz, 0.5).share;
     }
@@ -114,11 +115,19 @@ vec3 irradianceOf(vec3 p, vec3 n, float lit) {
     return around + sun;
 }
 
+// Width of the part that a neighbour takes of a lobe: the product of two Gaussians, the lobe and what it meets.
+float partSigma(LobeShare met, float sigma) {
+    return met.sigma * sigma * inversesqrt(max(met.sigma * met.sigma + sigma * sigma, 1e-12));
+}
+
 vec3 lobeOf(vec3 p, vec3 direction, float sigma, float lit) {
     vec3 far = farRadiance(direction, sigma);
     if (!knowsOwn) return far;
     LobeShare met = ownShareOf(p, direction, sigma);
-    return met.share < LEAST_SHARE ? far : mix(far, lit * ownRadiance(met.direction), met.share);
+    if (met.share < LEAST_SHARE) return far;
+    // Without the part that the body hides, at that part's own width: a lamp behind the body is not seen through it.
+    vec3 hidden = met.share * farRadiance(met.direction, partSigma(met, sigma));
+    return clamp(far - hidden, vec3(0.0), min(4.0 * (1.0 - met.share), 1.0) * far) + met.share * lit * ownRadiance(met.direction);
 }
 
 // What a neighbour sends from its point p towards wo from around the normal n, over a spread of directions.

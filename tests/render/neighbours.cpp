@@ -68,4 +68,30 @@ TEST_P(Render, a_rough_ball_among_others_changes_smoothly_as_the_camera_turns) {
   EXPECT_GT(compared, 1000);
 }
 
+TEST_P(Render, a_lamp_over_a_ball_is_not_seen_through_it_in_the_ball_below) {
+  constexpr double dim = 0.1, lamp = 20.0, lamp_cosine = 0.8;
+  constexpr double foot = -0.85; // of the upper ball: below, it reflects the top of the lower one
+  // The path tracer's mean is .17; with the lamp seen through the upper ball it would be 1.2.
+  constexpr double most = 0.5;
+  scene::Scene scene = ball(metal(0.1f));
+  add(scene, ball(metal(0.4f)), glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, -2.05f, 0.0f)));
+  const auto sky =
+      environment_of(64, [&](glm::dvec3 d) { return glm::dvec3(d.y > lamp_cosine ? lamp : dim); });
+  const scene::Camera camera = camera_at({0.0f, -1.0f, 6.0f});
+  const auto drawn =
+      draw(scene, {sky, {.width = size, .height = size, .samples = 1, .camera = camera}});
+  double sum = 0.0;
+  int pixels = 0;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const glm::dvec3 d = view_direction(camera, size, size, x, y);
+      const auto hit = hit_ball({0.0, -1.0, 6.0}, d);
+      if (!hit || hit->y > foot) continue;
+      sum += static_cast<double>(drawn.at(x, y, 1));
+      ++pixels;
+    }
+  ASSERT_GT(pixels, 20);
+  EXPECT_LT(sum / pixels, most);
+}
+
 } // namespace gg::test
