@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/suggest.h"
+#include "environment/map.h"
 
 #include <fmt/format.h>
 
@@ -31,8 +32,7 @@ std::vector<std::string> environment_names() {
   std::vector<std::string> names;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(shipped(), none))
-    if (const fs::path& file = entry.path();
-        file.extension() == ".hdr" || file.extension() == ".exr")
+    if (const fs::path& file = entry.path(); environment::is_map_file(file))
       names.push_back(without_resolution(file.stem().string()));
   std::ranges::sort(names);
   return names;

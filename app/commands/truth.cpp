@@ -1,6 +1,7 @@
 // groundglass truth: the scene path traced, with its own error stated.
 #include "commands/commands.h"
 #include "commands/options.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/progress.h"
@@ -12,7 +13,6 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -228,7 +228,7 @@ void trace(Options o) {
                                .samples = o.spp.value_or(o.error ? most_spp : default_spp),
                                .error = o.error.value_or(0.0),
                                .threads = o.threads};
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   bool complete = false;
   {
     const truth::Interruptible interruptible;
@@ -248,16 +248,14 @@ void trace(Options o) {
                       samples < 2 ? "1 sample per pixel"
                                   : fmt::format("{} samples per pixel, error {:.2f} %", samples,
                                                 100.0 * error));
-      const auto moment = std::chrono::steady_clock::now();
-      if (!o.preview || std::chrono::duration<double>(moment - shown).count() < *o.preview) return;
-      shown = moment;
+      if (!o.preview || seconds_since(shown) < *o.preview) return;
+      shown = Clock::now();
       write_png(now, o, tone_map);
     };
     complete = truth::render(integrator, camera, desc, film,
                              {.report = report, .stop = truth::Interruptible::requested});
   }
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = seconds_since(start);
   if (film.samples() < 2)
     throw Error(ExitCode::interrupted, name_of(o), "interrupted before there was anything to keep");
 

@@ -6,7 +6,12 @@ namespace gg {
 
 using Clock = std::chrono::steady_clock;
 
-// Milliseconds from `start` until now.
+// From `start` until now.
+inline double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Milliseconds.
 inline double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }

@@ -6,8 +6,6 @@
 
 namespace gg {
 
-using Clock = std::chrono::steady_clock;
-
 Progress::Progress(std::string what, long total)
     : what_(std::move(what)), total_(total), terminal_(::isatty(STDERR_FILENO) != 0),
       start_(Clock::now()), drawn_() {}

@@ -1,7 +1,8 @@
 // How far long work has come: one line on stderr, rewritten in place, and only on a terminal.
 #pragma once
 
-#include <chrono>
+#include "core/clock.h"
+
 #include <string>
 
 namespace gg {
@@ -22,7 +23,7 @@ private:
   std::string what_;
   long total_;
   bool terminal_;
-  std::chrono::steady_clock::time_point start_, drawn_;
+  Clock::time_point start_, drawn_;
 };
 
 } // namespace gg

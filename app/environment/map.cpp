@@ -51,6 +51,10 @@ std::size_t mend(std::vector<float>& rgb, int width, int height) {
   return mended;
 }
 
+bool is_map_file(const std::filesystem::path& path) {
+  return path.extension() == ".hdr" || path.extension() == ".exr";
+}
+
 Map load(const std::filesystem::path& path) {
   const image::Image picture = image::read(path);
   const bool single = picture.width == 1 && picture.height == 1;

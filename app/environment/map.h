@@ -29,6 +29,9 @@ struct Map {
 // taken with a note; a single pixel counts as a constant).
 Map load(const std::filesystem::path& path);
 
+// Whether a file of this name is a radiance map: .hdr or .exr.
+bool is_map_file(const std::filesystem::path& path);
+
 // The same radiance from everywhere. Components below 0 or not finite count as 0.
 Map constant(const glm::vec3& radiance);
 

@@ -1,6 +1,7 @@
 #include "needs/proxies.h"
 
 #include "needs/features.h"
+#include "needs/flat.h"
 #include "needs/shadow.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 namespace gg::needs {
 namespace {
 
-constexpr double flat = 1e-4;   // of its greater side: thinner than a pixel of most pictures
 constexpr double thin = 0.02;   // the same of what is no rectangle but is taken for one
 constexpr double filled = 0.02; // of an area: what may be missing, or lie double
 constexpr double in_part =
@@ -106,7 +106,7 @@ struct BoxFaces {
 
 BoxFaces box_faces(const Triangles& triangles, const glm::dvec3& low, const glm::dvec3& high) {
   BoxFaces faces;
-  const glm::dvec3 close = flat * (high - low) + 1e-12;
+  const glm::dvec3 close = flat_below * (high - low) + 1e-12;
   for (std::size_t t = 0; t < triangles.count(); ++t) {
     const glm::dvec3 across = triangles.across(t);
     const double area = 0.5 * glm::length(across);
@@ -156,7 +156,7 @@ std::vector<Proxy> rectangles_of(const scene::Scene& scene, const Part& part) {
   const BoxFaces faces = box_faces(triangles, low, high);
   if (metres[narrow] <= thin * std::max(metres[a], metres[b])) {
     // A sheet has its area once, what is thick twice.
-    const bool sheet = metres[narrow] <= flat * std::max(metres[a], metres[b]);
+    const bool sheet = metres[narrow] <= flat_below * std::max(metres[a], metres[b]);
     const double across = metres[a] * metres[b];
     const double share = std::min(part.area / (sheet ? across : 2.0 * across), 1.0);
     const double shrink = share > 1.0 - filled ? 1.0 : std::sqrt(share);

@@ -1,5 +1,6 @@
 #include "needs/shadow_maps.h"
 
+#include "needs/flat.h"
 #include "uniforms/camera.h"
 
 #include <algorithm>
@@ -18,9 +19,8 @@ constexpr int least_size = 256, largest_size = 2048;
 constexpr double filter_margin = 3.0; // texels around what a map holds, for the filter's reach
 constexpr double widest_cone =
     70.0 * std::numbers::pi
-    / 180.0;                  // radians from the axis: past it texels at the edge are 3 times as
-                              // wide as in the middle, and faces of a cube do better
-constexpr double flat = 1e-4; // of its greater side: one plane
+    / 180.0; // radians from the axis: past it texels at the edge are 3 times as
+             // wide as in the middle, and faces of a cube do better
 constexpr double on_plane =
     1e-3; // of its size: what stands on a floor reaches below it by rounding
 
@@ -169,7 +169,7 @@ std::optional<Plane> plane_of(const Draw& draw, const scene::Instance& instance)
   int axis = 0;
   for (int k = 1; k < 3; ++k)
     if (size[k] < size[axis]) axis = k;
-  if (size[axis] > flat * std::max({size.x, size.y, size.z})) return std::nullopt;
+  if (size[axis] > flat_below * std::max({size.x, size.y, size.z})) return std::nullopt;
   const glm::dmat3 world(instance.world);
   const glm::dvec3 normal = glm::cross(world[(axis + 1) % 3], world[(axis + 2) % 3]);
   if (!(glm::length(normal) > 0.0)) return std::nullopt;

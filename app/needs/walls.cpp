@@ -1,5 +1,7 @@
 #include "needs/walls.h"
 
+#include "needs/flat.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,8 +9,7 @@
 namespace gg::needs {
 namespace {
 
-constexpr float flat_wall = 1e-4f; // of its greater side: thinner than a pixel of most pictures
-constexpr double filled = 0.02;    // of its area: what may be missing, or lie double
+constexpr double filled = 0.02; // of its area: what may be missing, or lie double
 
 double area_of(const scene::Scene& scene, const scene::Primitive& primitive) {
   const std::vector<float>& values =
@@ -32,7 +33,9 @@ std::optional<Wall> wall_of(const scene::Scene& scene, const Draw& draw, const g
   const int thin = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
   const int a = (thin + 1) % 3, b = (thin + 2) % 3;
   const double rectangle = static_cast<double>(size[a]) * size[b];
-  if (!(rectangle > 0.0) || size[thin] > flat_wall * std::max(size[a], size[b])) return {};
+  if (!(rectangle > 0.0)
+      || size[thin] > static_cast<float>(flat_below) * std::max(size[a], size[b]))
+    return {};
   if (std::abs(area_of(scene, *draw.primitive) - rectangle) > filled * rectangle) return {};
 
   glm::vec3 half_a(0.0f), half_b(0.0f);

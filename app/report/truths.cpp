@@ -1,5 +1,6 @@
 #include "report/truths.h"
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "report/key.h"
@@ -9,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 namespace gg::report {
@@ -101,10 +101,9 @@ TruthRecord truth_of(const Subject& subject, const Plan& plan, const Cache& cach
   const Loaded& scene = loaded();
   truth::Film film = film_of(before, subject);
   const long had = film.samples();
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   const bool complete = trace(subject, plan, scene, film);
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = seconds_since(start);
   if (film.samples() < 2) throw Interrupted{}; // one sample says nothing about its error
   TruthRecord record{.file = cache.path("truth", key, "exr"),
                      .key = Key().add(key).add(static_cast<double>(film.samples())).text(),

@@ -1,5 +1,7 @@
 #include "truth/render.h"
 
+#include "core/clock.h"
+
 #include <tbb/blocked_range2d.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -7,7 +9,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <optional>
 
 namespace gg::truth {
@@ -73,13 +74,12 @@ bool render(const Integrator& integrator, const Camera& camera, const RenderDesc
     if (watch.stop()) return false;
     // In parts of about a second.
     const long count = std::clamp(static_cast<long>(samples_a_second), 1L, pass_ends - done);
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     Film next = film;
     const bool complete = arena.execute(
         [&] { return add_pass(integrator, camera, desc.seed, count, next, watch.stop); });
     if (!complete) return false;
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = seconds_since(start);
     samples_a_second = std::min(static_cast<double>(count) / std::max(seconds, 1e-6), 1e9);
     film = std::move(next);
     error = film.relative_error();

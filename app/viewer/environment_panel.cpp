@@ -1,4 +1,5 @@
 // What lights the scene, and what is seen behind it.
+#include "environment/map.h"
 #include "viewer/panels.h"
 
 #include <fmt/format.h>
@@ -15,9 +16,8 @@ namespace fs = std::filesystem;
 // What the view's map is called; of a file, its name without folder and extension.
 std::string name_of(const View& view) {
   if (view.env.empty()) return "royal_esplanade";
-  const fs::path path = view.env;
-  const bool is_file = path.extension() == ".hdr" || path.extension() == ".exr";
-  return is_file ? path.stem().string() : view.env; // else a name, `none` or a colour
+  if (!environment::is_map_file(view.env)) return view.env; // a name, `none` or a colour
+  return fs::path(view.env).stem().string();
 }
 
 void draw_thumbnails(Session& session, float scale) {

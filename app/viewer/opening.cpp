@@ -2,6 +2,7 @@
 #include "core/cache_directory.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "environment/map.h"
 #include "viewer/application.h"
 
 #include <algorithm>
@@ -23,16 +24,11 @@ std::optional<fs::path> recent_file() {
   return directory ? std::optional(*directory / "recent-scenes") : std::nullopt;
 }
 
-bool is_environment(const std::string& path) {
-  const std::string extension = fs::path(path).extension();
-  return extension == ".hdr" || extension == ".exr";
-}
-
 } // namespace
 
 void Application::open(const std::string& path) {
   Loading::Job job{.view = session_.view, .scene = true, .current = session_.scene};
-  if (is_environment(path)) {
+  if (environment::is_map_file(path)) {
     if (!session_.scene) return;
     job.view.env = path;
     job.scene = false;

@@ -8,7 +8,7 @@
 namespace gg::viewer {
 
 ShaderReload::ShaderReload(gpu::Backend backend, std::function<void()> wake)
-    : backend_(backend), wake_(std::move(wake)), looked_(std::chrono::steady_clock::now()) {
+    : backend_(backend), wake_(std::move(wake)), looked_(Clock::now()) {
   files_.watch(gpu::shader_files());
   thread_ = std::thread([this] { run(); });
 }
@@ -24,7 +24,7 @@ ShaderReload::~ShaderReload() {
 
 void ShaderReload::look() {
   constexpr auto between_looks = std::chrono::milliseconds(500);
-  const auto now = std::chrono::steady_clock::now();
+  const auto now = Clock::now();
   if (now - looked_ < between_looks) return;
   looked_ = now;
   bool changed = false;

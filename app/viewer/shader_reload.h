@@ -1,10 +1,10 @@
 // The files of shaders/, compiled again on a thread of its own when one of them is saved.
 #pragma once
 
+#include "core/clock.h"
 #include "gpu/device.h"
 #include "viewer/watched_files.h"
 
-#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -38,7 +38,7 @@ private:
   gpu::Backend backend_;
   std::function<void()> wake_;
   WatchedFiles files_;
-  std::chrono::steady_clock::time_point looked_;
+  Clock::time_point looked_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   bool wanted_ = true; // to begin with: the text that there is becomes known

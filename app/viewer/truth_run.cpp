@@ -1,19 +1,13 @@
 #include "viewer/truth_run.h"
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "truth/render.h"
 
-#include <chrono>
 #include <utility>
 
 namespace gg::viewer {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 image::Picture picture_of(const truth::Film& film, const scene::Scene& scene) {
   image::Picture picture{.name = "truth", .colour = image::Image(film.width(), film.height(), 3)};

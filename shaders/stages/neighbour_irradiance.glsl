@@ -92,12 +92,8 @@ vec3 surroundingIrradiance(vec3 p, vec3 n) {
         c = withTaken(c, met.share, vec3(0.0));
     }
     vec3 sun = sunAcross(n);
-    vec3 bent = normalize(mean + 0.02 * n);
-    sum += c.passed * max(wideRadiance(bent) - sunAcross(bent), vec3(0.0));
-    if (glassAround) {
-        bent = normalize(throughMean + 1e-6 * n);
-        sum += through * max(wideRadiance(bent) - sunAcross(bent), vec3(0.0));
-    }
+    sum += c.passed * wideWithoutSun(meanOpening(mean, n));
+    if (glassAround) sum += through * wideWithoutSun(normalize(throughMean + 1e-6 * n));
     if (ofPixel(sun.y) > 0.0) sum += sun * passesNeighbours(p, frame.sunDirection.xyz, 1e30, frame.sunDirection.w);
     return sum;
 }

@@ -95,9 +95,8 @@ NextShare nextShare(int i, bool opaqueOnly, vec3 p, vec3 n, vec3 direction, floa
 }
 
 // Radiance that arrives at p, over the horizon of n, by a lobe. The environment comes in as all of the lobe without the parts that
-// neighbours take, at their own widths, so that no lamp behind one is seen; of a lobe that is nearly taken, no more than four times
-// what is left of it, as the parts' Gaussians and the lobe's agree to some percent only. What glass passes is followed once more,
-// to what is opaque.
+// neighbours take, at their own widths, so that no lamp behind one is seen. What glass passes is followed once more, to what is
+// opaque.
 // firstWay: 1 if the lobe is of light that glass has passed. far: of the environment, by all of the lobe, or by several that it
 // stands for. least: share below which a neighbour that sends no light of its own is left out.
 vec3 radianceFrom(int firstWay, vec3 p, vec3 n, vec3 direction, float sigma, vec3 far, float least) {
@@ -127,7 +126,7 @@ vec3 radianceFrom(int firstWay, vec3 p, vec3 n, vec3 direction, float sigma, vec
             hidden += c.before * own * farRadiance(met.direction, partSigma(met, sigma));
             c = withTaken(c, met.share, vec3(0.0));
         }
-        sum += weight * clamp(far - hidden, vec3(0.0), min(4.0 * c.passed.y, 1.0) * far);
+        sum += weight * farLeft(far, hidden, c.passed.y);
         if (!(on.share > 0.0)) break;
         OnwardLobe onward = onwardLobe(on, n);
         weight = on.weight;

@@ -90,13 +90,19 @@ LobeShare ownShareOf(vec3 p, vec3 direction, float sigma) {
 // A sun in the environment is a light of its own.
 vec3 sunAcross(vec3 n) { return frame.sunIrradiance.xyz * (max(dot(n, frame.sunDirection.xyz), 0.0) / BSDF_PI); }
 
+vec3 wideWithoutSun(vec3 n) { return max(wideRadiance(n) - sunAcross(n), vec3(0.0)); }
+
+// The direction of what is left of a cosine lobe, of its mean; n where next to nothing is.
+vec3 meanOpening(vec3 mean, vec3 n) { return normalize(mean + 0.02 * n); }
+
 // lit: how much of its light the receiver keeps when the neighbour has taken its share of it.
 vec3 irradianceOf(vec3 p, vec3 n, float lit) {
     vec3 sun = sunAcross(n);
-    vec3 around = max(wideRadiance(n) - sun, vec3(0.0));
-    vec3 c = ownBody().centre.xyz - p;
+    vec3 around = vec3(0.0);
+    vec3 open = n;
+    float share = 0.0;
     if (knowsOwn) {
-        float share;
+        vec3 c = ownBody().centre.xyz - p;
         vec3 towards;
         if (ownIsSphere) {
             share = sphereFormFactor(c, ownBody().centre.w, n);
@@ -106,11 +112,12 @@ vec3 irradianceOf(vec3 p, vec3 n, float lit) {
             share = capFormFactor(dot(f, n) / max(length(f), 1e-6), length(f));
             towards = f / max(length(f), 1e-6);
         }
-        vec3 bent = normalize((2.0 / 3.0) * n - share * towards + 0.02 * n);
-        around = (1.0 - share) * max(wideRadiance(bent) - sunAcross(bent), vec3(0.0)) + share * lit * ownRadiance(towards);
+        open = meanOpening((2.0 / 3.0) * n - share * towards, n); // the body as a narrow cap
+        around = share * lit * ownRadiance(towards);
         // Of what is seen of the neighbour the sun is hidden from more than this point: as a wide lobe.
         if (ofPixel(sun.y) > 0.0) sun *= 1.0 - ownShareOf(p, frame.sunDirection.xyz, 0.5).share;
     }
+    around += (1.0 - share) * wideWithoutSun(open);
     if (hasLights) around += lightAcross(p, n);
     return around + sun;
 }
@@ -120,6 +127,10 @@ float partSigma(LobeShare met, float sigma) {
     return met.sigma * sigma * inversesqrt(max(met.sigma * met.sigma + sigma * sigma, 1e-12));
 }
 
+// The environment by what is left of a lobe of which `passed` is not taken: all of it without the hidden parts, and of a lobe that is
+// nearly taken no more than four times what is left, as the parts' Gaussians and the lobe's agree to some percent only.
+vec3 farLeft(vec3 far, vec3 hidden, float passed) { return clamp(far - hidden, vec3(0.0), min(4.0 * passed, 1.0) * far); }
+
 vec3 lobeOf(vec3 p, vec3 direction, float sigma, float lit) {
     vec3 far = farRadiance(direction, sigma);
     if (!knowsOwn) return far;
@@ -127,7 +138,7 @@ vec3 lobeOf(vec3 p, vec3 direction, float sigma, float lit) {
     if (met.share < LEAST_SHARE) return far;
     // Without the part that the body hides, at that part's own width: a lamp behind the body is not seen through it.
     vec3 hidden = met.share * farRadiance(met.direction, partSigma(met, sigma));
-    return clamp(far - hidden, vec3(0.0), min(4.0 * (1.0 - met.share), 1.0) * far) + met.share * lit * ownRadiance(met.direction);
+    return farLeft(far, hidden, 1.0 - met.share) + met.share * lit * ownRadiance(met.direction);
 }
 
 // What a neighbour sends from its point p towards wo from around the normal n, over a spread of directions.

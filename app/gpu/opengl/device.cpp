@@ -1,9 +1,9 @@
 #include "gpu/opengl/device.h"
 
+#include "core/clock.h"
 #include "core/error.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace gg::gpu::opengl {
 namespace {
@@ -102,7 +102,6 @@ void GlDevice::run(const Pass& pass) {
 }
 
 void GlDevice::run(std::span<const Pass> passes, std::vector<PassTime>* times) {
-  using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   timers_.discard();
   for (const Pass& pass : passes) {
@@ -113,8 +112,7 @@ void GlDevice::run(std::span<const Pass> passes, std::vector<PassTime>* times) {
   }
   context_->gl().Flush();
   ++context_->counters.submissions;
-  context_->counters.record_ms +=
-      std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  context_->counters.record_ms += ms_since(start);
   if (times) timers_.collect(passes, *times);
 }
 

@@ -1,9 +1,10 @@
 #include "gpu/vulkan/commands.h"
 
+#include "core/clock.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace gg::gpu::vulkan {
 
@@ -85,10 +86,9 @@ VkCommandBuffer Commands::open() {
   current_ = (current_ + 1) % slots_.size();
   Slot& next = slot();
   if (context_.completed() < next.value) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     context_.wait(next.value);
-    waited_ms +=
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    waited_ms += ms_since(start);
   }
   context_.collect();
   VkDeviceSize kept = 0;

@@ -1,10 +1,10 @@
 #include "gpu/vulkan/device.h"
 
+#include "core/clock.h"
 #include "gpu/backends.h"
 #include "gpu/vulkan/formats.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace gg::gpu::vulkan {
 
@@ -143,7 +143,6 @@ void VulkanDevice::record(VkCommandBuffer commands, const Pass& pass) {
 }
 
 void VulkanDevice::run(std::span<const Pass> passes, std::vector<PassTime>* times) {
-  using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const double waited = commands_.waited_ms;
   for (const Pass& pass : passes)
@@ -158,9 +157,7 @@ void VulkanDevice::run(std::span<const Pass> passes, std::vector<PassTime>* time
     if (times) timers_.stamp(commands);
   }
   commands_.submit();
-  context_->counters.record_ms +=
-      std::chrono::duration<double, std::milli>(Clock::now() - start).count()
-      - (commands_.waited_ms - waited);
+  context_->counters.record_ms += ms_since(start) - (commands_.waited_ms - waited);
   if (times && !passes.empty()) {
     commands_.finish();
     timers_.collect(passes, *times);
