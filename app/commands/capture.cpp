@@ -28,7 +28,7 @@
 namespace gg::commands {
 namespace {
 
-struct Options {
+struct CaptureOptions {
   SceneOptions scene;
   DeviceOptions device;
   MethodOptions method;
@@ -39,7 +39,7 @@ struct Options {
 };
 
 // Everything that can be wrong with where the results go, before the work that makes them.
-void check_outputs(const Options& o) {
+void check_outputs(const CaptureOptions& o) {
   if (o.out.empty())
     throw Error(ExitCode::usage, "--output", "is missing",
                 "Say where the picture goes: -o picture.png; or the frames of an animation: "
@@ -113,7 +113,7 @@ void print_times(std::FILE* to, const nlohmann::json& report, int frames) {
     fmt::print(to, "  {:<20} {:8.2f} ms\n", label, pass_ms.get<double>());
 }
 
-void check(const Options& o) {
+void check(const CaptureOptions& o) {
   if (o.method.samples < 1 || o.method.samples > 4096)
     throw Error(ExitCode::usage, "--samples", "must be from 1 to 4096");
   if (o.frames < 0) throw Error(ExitCode::usage, "--frames", "must be 0 or more");
@@ -126,13 +126,13 @@ void check(const Options& o) {
                 "Choose separable or correlated.");
 }
 
-void say_undrawn(const Options& o, const scene::Scene& scene) {
+void say_undrawn(const CaptureOptions& o, const scene::Scene& scene) {
   for (const std::string& extension : scene::undrawn(scene))
     note(o.scene.scene + ": " + extension
          + " is read and not drawn yet: its materials are drawn without it");
 }
 
-frame::FrameDesc description(const Options& o, Size size, const NamedMethod& method) {
+frame::FrameDesc description(const CaptureOptions& o, Size size, const NamedMethod& method) {
   return {.width = size.width,
           .height = size.height,
           .samples = o.method.samples,
@@ -144,7 +144,7 @@ frame::FrameDesc description(const Options& o, Size size, const NamedMethod& met
           .background = background_of(o.scene)};
 }
 
-frame::EnvironmentView lighting(const Options& o, const environment::Stack& stack) {
+frame::EnvironmentView lighting(const CaptureOptions& o, const environment::Stack& stack) {
   return {&stack, glm::radians(o.scene.env_rotation), o.scene.env_intensity};
 }
 
@@ -157,7 +157,7 @@ image::Image draw(frame::Renderer& renderer, int samples) {
   return renderer.read();
 }
 
-void capture(const Options& o) {
+void capture(const CaptureOptions& o) {
   check_outputs(o);
   check(o);
   const Size size = parse_size(o.scene.size);
@@ -220,7 +220,7 @@ void capture(const Options& o) {
 
 // The frames of an animation, one file each. Device and environment serve them all, and what is on the device as long as nothing
 // but the places of things changes.
-void capture_sequence(Options o) {
+void capture_sequence(CaptureOptions o) {
   check(o);
   if (!o.out.empty() || !o.json.empty() || o.frames > 0)
     throw Error(ExitCode::usage, "--frames-out", "is given with -o, --json or --frames",
@@ -289,7 +289,7 @@ void capture_sequence(Options o) {
 } // namespace
 
 void add_capture(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CaptureOptions>();
   Command command = program.subcommand("capture", "Draw a scene into a picture file");
   add_options(command, options->scene);
   add_background(command, options->scene);

@@ -26,7 +26,7 @@ using image::Errors;
 using image::Picture;
 using nlohmann::json;
 
-struct Options {
+struct CompareOptions {
   std::string test, reference, map, map_of = "flip", json_file;
   std::vector<std::string> objects;
 };
@@ -162,7 +162,7 @@ json to_json(const Errors& e) {
   return result;
 }
 
-json to_json(const Options& options, const Comparison& comparison, const Picture& with_names,
+json to_json(const CompareOptions& options, const Comparison& comparison, const Picture& with_names,
              const std::vector<std::string>& remarks) {
   json result{{"test", options.test},
               {"reference", options.reference},
@@ -183,7 +183,7 @@ json to_json(const Options& options, const Comparison& comparison, const Picture
   return result;
 }
 
-void write_map(const Options& options, const Comparison& comparison) {
+void write_map(const CompareOptions& options, const Comparison& comparison) {
   if (options.map_of == "flip") {
     const std::string title = fmt::format("FLIP, mean {:.4f}", comparison.frame.flip);
     return image::write(options.map, image::heat_map(comparison.flip_map, 1.0, title));
@@ -218,7 +218,7 @@ std::vector<int> object_ids(const std::vector<std::string>& wanted, const Pictur
   return ids;
 }
 
-void run(const Options& options) {
+void run(const CompareOptions& options) {
   // Complaints about names come before the work.
   if (!options.map.empty()
       && (!image::is_writable_extension(options.map) || !options.map.ends_with(".png")))
@@ -255,7 +255,7 @@ void run(const Options& options) {
 } // namespace
 
 void add_compare(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   Command command = program.subcommand(
       "compare", "Measure a picture against a reference: relMSE, RMSE, bias, p99, PSNR, FLIP");
   command.option("TEST", &options->test, "The picture to judge (.exr, .hdr, .pfm, .png)")

@@ -9,12 +9,12 @@
 namespace gg::commands {
 namespace {
 
-struct Options {
+struct ConvertOptions {
   std::string picture, out, tonemap = "neutral";
   float exposure = 0.0f; // EV
 };
 
-void convert(const Options& o) {
+void convert(const ConvertOptions& o) {
   if (!image::is_writable_extension(o.out))
     throw Error(ExitCode::usage, o.out, "has an extension that is not known",
                 "Write .png or .jpg (for display), or .exr, .hdr or .pfm (linear radiance).");
@@ -31,7 +31,7 @@ void convert(const Options& o) {
 } // namespace
 
 void add_convert(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConvertOptions>();
   Command command =
       program.subcommand("convert", "Write a picture in another format, as .exr for a display");
   command.option("PICTURE", &options->picture, "The picture to read (.exr, .hdr, .pfm, .png, .jpg)")

@@ -10,12 +10,12 @@
 namespace gg::commands {
 namespace {
 
-void print(const std::string& json) {
+void print(const std::string& json_file) {
   const auto devices = gpu::list_devices();
   if (devices.empty())
     throw Error(ExitCode::device, "groundglass", "no device found",
                 "Install Mesa's drivers: libegl1 and libgl1-mesa-dri.");
-  if (!json.empty()) {
+  if (!json_file.empty()) {
     nlohmann::json list = nlohmann::json::array();
     for (const auto& d : devices)
       list.push_back({{"backend", d.backend},
@@ -24,8 +24,8 @@ void print(const std::string& json) {
                       {"software", d.software},
                       {"name", d.name},
                       {"driver", d.driver}});
-    write_json(json, {{"devices", list}});
-    if (json == "-") return;
+    write_json(json_file, {{"devices", list}});
+    if (json_file == "-") return;
   }
   fmt::print("{:<8} {:<8} {:<3} {:<8} {}\n", "backend", "surface", "N", "kind", "name (driver)");
   for (const auto& d : devices)
@@ -36,11 +36,11 @@ void print(const std::string& json) {
 } // namespace
 
 void add_devices(Command program) {
-  const auto json = std::make_shared<std::string>();
+  const auto json_file = std::make_shared<std::string>();
   Command command = program.subcommand(
       "devices", "List the devices that can draw, for --backend, --surface and --device");
-  command.option("--json", json.get(), "Write the list to this file, or to standard output: -");
-  command.action([json] { print(*json); });
+  command.option("--json", json_file.get(), "Write the list to this file, or to standard output: -");
+  command.action([json_file] { print(*json_file); });
 }
 
 } // namespace gg::commands

@@ -20,14 +20,14 @@ namespace {
 // Rows at a time: memory stays at some 30 MB however long the file is.
 constexpr std::size_t batch_rows = 65536;
 
-struct Options {
+struct EvalOptions {
   std::filesystem::path in, out;
   std::string backend = "cpu", surface = "auto", form = "compensated";
   std::optional<int> device;
 };
 
 template <class Real, class Evaluate>
-void answer_file(const Options& options, const Evaluate& evaluate) {
+void answer_file(const EvalOptions& options, const Evaluate& evaluate) {
   bsdf::QueryReader reader(options.in);
   OutputFile out(options.out);
   out.write(bsdf::value_header());
@@ -48,7 +48,7 @@ void answer_file(const Options& options, const Evaluate& evaluate) {
   out.commit();
 }
 
-void run(const Options& options) {
+void run(const EvalOptions& options) {
   if (options.backend == "cpu") {
     answer_file<double>(
         options, [](const auto& queries, auto& values) { bsdf::evaluate_cpu(queries, values); });
@@ -72,7 +72,7 @@ void run(const Options& options) {
 
 void add_eval(Command program) {
   Command command = program.subcommand("eval", "Values of the BSDF for a file of directions (CSV)");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EvalOptions>();
   command
       .option("--in", &options->in,
               "CSV of queries (app/README.md, \"Commands\"); - for standard input")

@@ -9,7 +9,7 @@
 namespace gg::commands {
 namespace {
 
-struct Options {
+struct ListOptions {
   std::string what;
 };
 
@@ -48,7 +48,7 @@ void print_methods() {
              "auto");
 }
 
-void run(const Options& o) {
+void run(const ListOptions& o) {
   if (o.what.empty() || o.what == "presets") print_presets();
   if (o.what.empty() || o.what == "environments") print_environments();
   if (o.what.empty() || o.what == "methods") print_methods();
@@ -57,7 +57,7 @@ void run(const Options& o) {
 } // namespace
 
 void add_list(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ListOptions>();
   Command command =
       program.subcommand("list", "List material presets, environments and methods by name");
   command.option("WHAT", &options->what, "presets, environments or methods; all if not given")

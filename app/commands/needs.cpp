@@ -18,13 +18,13 @@
 namespace gg::commands {
 namespace {
 
-struct Options {
+struct NeedsOptions {
   SceneOptions scene;
   MethodOptions method;
   std::string json;
 };
 
-void print(const Options& o) {
+void print(const NeedsOptions& o) {
   probe_outputs({o.json});
   if (o.method.samples < 1 || o.method.samples > 4096)
     throw Error(ExitCode::usage, "--samples", "must be from 1 to 4096");
@@ -61,7 +61,7 @@ void print(const Options& o) {
 } // namespace
 
 void add_needs(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<NeedsOptions>();
   Command command = program.subcommand(
       "needs", "Print what drawing a scene takes: passes, features, tables, targets, bytes");
   add_options(command, options->scene);

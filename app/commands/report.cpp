@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ReportOptions {
   std::vector<std::string> scenes;
   SceneOptions view{.size = "512x512"};
   std::string out, methods, backends = "opengl", surface, smith = "separable";
@@ -45,7 +45,7 @@ std::vector<std::string> split(const std::string& list, const std::string& optio
   return parts;
 }
 
-void check(const Options& o) {
+void check(const ReportOptions& o) {
   const auto between = [](const char* option, long value, long low, long high) {
     if (value < low || value > high)
       throw Error(ExitCode::usage, option, fmt::format("must be from {} to {}", low, high));
@@ -71,7 +71,7 @@ void check(const Options& o) {
                 "Choose separable or correlated.");
 }
 
-std::vector<report::Method> methods_of(const Options& o) {
+std::vector<report::Method> methods_of(const ReportOptions& o) {
   std::vector<report::Method> result;
   if (o.methods.empty())
     for (const NamedMethod& m : methods())
@@ -84,7 +84,7 @@ std::vector<report::Method> methods_of(const Options& o) {
   return result;
 }
 
-report::Plan plan_of(const Options& o) {
+report::Plan plan_of(const ReportOptions& o) {
   report::Plan plan{.methods = methods_of(o),
                     .correlated_smith = o.smith == "correlated",
                     .multiple_scattering = o.multiscatter,
@@ -115,7 +115,7 @@ report::Plan plan_of(const Options& o) {
   return plan;
 }
 
-void run(const Options& o) {
+void run(const ReportOptions& o) {
   check(o);
   const report::Plan plan = plan_of(o);
   const report::Outcome outcome = report::run(plan);
@@ -142,7 +142,7 @@ void run(const Options& o) {
 } // namespace
 
 void add_report(Command program) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ReportOptions>();
   Command command = program.subcommand(
       "report", "Measure how fast and how wrong each method is, and write a page about it");
   command.option("SCENE", &o->scenes, "glTF 2.0 files").required();

@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-struct Options {
+struct TruthOptions {
   SceneOptions scene;
   std::vector<std::string> out;
   std::string exr, png; // those of `out`
@@ -48,12 +48,12 @@ constexpr double most_error = 10.0; // ten times as large as what it is the erro
 constexpr int most_threads = 1024;
 
 // What messages call the picture.
-const std::string& name_of(const Options& o) {
+const std::string& name_of(const TruthOptions& o) {
   return o.exr.empty() ? o.png : o.exr;
 }
 
 // An .exr, a .png, or one of each.
-void sort_outputs(Options& o) {
+void sort_outputs(TruthOptions& o) {
   for (const std::string& path : o.out) {
     const fs::path extension = fs::path(path).extension();
     const bool to_stream = extension.empty() && destination_of(path).is_stream;
@@ -70,7 +70,7 @@ void sort_outputs(Options& o) {
   }
 }
 
-void check(const Options& o) {
+void check(const TruthOptions& o) {
   if (o.exr.empty() && (o.resume || o.half))
     throw Error(ExitCode::usage, o.resume ? "--resume" : "--half", "needs an .exr file",
                 "Add -o truth.exr.");
@@ -106,7 +106,7 @@ std::string numbers_of(const scene::Camera& camera) {
 
 // What the samples depend on, besides the files' contents: to be found in the header, and to be the
 // same where a picture is resumed.
-std::map<std::string, std::string> settings_of(const Options& o, const scene::Camera& camera) {
+std::map<std::string, std::string> settings_of(const TruthOptions& o, const scene::Camera& camera) {
   std::string materials;
   for (const std::string& material : o.scene.materials)
     materials += (materials.empty() ? "" : " ") + material;
@@ -126,7 +126,7 @@ std::map<std::string, std::string> settings_of(const Options& o, const scene::Ca
   return settings;
 }
 
-truth::Film film_of(const Options& o, const std::map<std::string, std::string>& settings,
+truth::Film film_of(const TruthOptions& o, const std::map<std::string, std::string>& settings,
                     Size size) {
   if (!o.resume || !fs::exists(o.exr)) return {size.width, size.height};
   const image::Exr before = image::read_exr(o.exr);
@@ -147,7 +147,7 @@ truth::Film film_of(const Options& o, const std::map<std::string, std::string>& 
   return film;
 }
 
-std::string command_line(const Options& o, long spp) {
+std::string command_line(const TruthOptions& o, long spp) {
   std::string line = fmt::format("groundglass truth {} -o {} --size {} --spp {} --seed {}",
                                  o.scene.scene, name_of(o), o.scene.size, spp, o.seed);
   const auto add = [&](const char* option, const std::string& value) {
@@ -172,7 +172,7 @@ std::string command_line(const Options& o, long spp) {
 }
 
 image::Exr picture_of(const truth::Film& film, const scene::Scene& scene,
-                      const std::map<std::string, std::string>& settings, const Options& o) {
+                      const std::map<std::string, std::string>& settings, const TruthOptions& o) {
   image::Exr exr = film.to_exr();
   for (const auto& [key, value] : settings)
     exr.attributes[key] = value;
@@ -191,11 +191,11 @@ image::Exr halved(image::Exr picture) {
   return picture;
 }
 
-void write_png(const truth::Film& film, const Options& o, frame::ToneMap tone_map) {
+void write_png(const truth::Film& film, const TruthOptions& o, frame::ToneMap tone_map) {
   image::write(o.png, frame::for_display(film.to_image(), o.exposure, tone_map));
 }
 
-void trace(Options o) {
+void trace(TruthOptions o) {
   sort_outputs(o);
   check(o);
   const frame::ToneMap tone_map = frame::parse_tone_map(o.tonemap);
@@ -293,7 +293,7 @@ void trace(Options o) {
 } // namespace
 
 void add_truth(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TruthOptions>();
   Command command =
       program.subcommand("truth", "Path trace the scene, until its error is small enough");
   add_options(command, options->scene);

@@ -21,7 +21,7 @@
 namespace gg::commands {
 namespace {
 
-struct Options {
+struct ViewOptions {
   SceneOptions scene;
   DeviceOptions device;
   MethodOptions method;
@@ -149,7 +149,7 @@ viewer::DebugKind parse_debug(const std::string& text) {
   return static_cast<viewer::DebugKind>(found - std::begin(names));
 }
 
-void check(const Options& o) {
+void check(const ViewOptions& o) {
   if (o.method.samples < 1 || o.method.samples > 4096)
     throw Error(ExitCode::usage, "--samples", "must be from 1 to 4096");
   if (!std::isfinite(o.exposure))
@@ -179,7 +179,7 @@ void check(const Options& o) {
   if (!o.settings.screenshot_window.empty()) OutputFile probe(o.settings.screenshot_window);
 }
 
-void view(Options o) {
+void view(ViewOptions o) {
   check(o);
   if (o.scene.scene.empty())
     o.scene.scene = (home_directory() / "assets/scenes/ball-grid.glb").string();
@@ -229,7 +229,7 @@ void view(Options o) {
 } // namespace
 
 void add_view(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ViewOptions>();
   options->scene.size = "1280x800";
   Command command =
       program.subcommand("view", "Look at a scene in a window, with its error beside it");

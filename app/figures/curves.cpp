@@ -12,7 +12,7 @@ namespace {
 using namespace glsl;
 using f64::vec3;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const vec3 normal(0.0, 0.0, 1.0);
 
 // The light comes from the left.

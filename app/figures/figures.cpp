@@ -16,7 +16,7 @@ namespace gg::figures {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double glass = 1.5;
+constexpr double glass_ior = 1.5;
 
 Axis incidence_axis(double high = 90.0) {
   return {"angle of incidence", 0.0, high, ticks(0.0, high, high > 45.0 ? 15.0 : 5.0, 0, "°")};
@@ -54,15 +54,15 @@ std::vector<Curve> polarizations(double eta, double high) {
 }
 
 void fresnel_glass(Canvas& canvas) {
-  Plot plot{"Fresnel reflectance, air to glass", "index 1.5; 4 % at normal incidence",
-            incidence_axis(), reflectance_axis(), polarizations(glass, 90.0)};
-  plot.marks = {{std::atan(glass) / degree, "Brewster's angle, 56.3°", Anchor::end, 0.58}};
+  Plot plot{"Fresnel reflectance, air to glass", "IOR 1.5; 4 % at normal incidence",
+            incidence_axis(), reflectance_axis(), polarizations(glass_ior, 90.0)};
+  plot.marks = {{std::atan(glass_ior) / degree, "Brewster's angle, 56.3°", Anchor::end, 0.58}};
   draw(canvas, plot, {0.0, 0.0}, {560.0, 400.0});
 }
 
 constexpr std::array indices{1.1, 1.33, 1.5, 1.8, 2.4, 3.0, 4.0};
 
-std::vector<Curve> by_index(bool from_inside) {
+std::vector<Curve> by_ior(bool from_inside) {
   std::vector<Curve> curves;
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const double eta = from_inside ? 1.0 / indices[i] : indices[i];
@@ -75,18 +75,18 @@ std::vector<Curve> by_index(bool from_inside) {
 
 void fresnel_indices(Canvas& canvas) {
   const Plot plot{"Fresnel reflectance, air to other indices",
-                  "unpolarised light; index of the far side", incidence_axis(), reflectance_axis(),
-                  by_index(false)};
+                  "unpolarised light; IOR of the far side", incidence_axis(), reflectance_axis(),
+                  by_ior(false)};
   draw(canvas, plot, {0.0, 0.0}, {560.0, 400.0});
 }
 
 void fresnel_inside(Canvas& canvas) {
-  Plot one{"From inside glass to air", "index 1.5; all is reflected past the critical angle",
-           incidence_axis(), reflectance_axis(), polarizations(1.0 / glass, 90.0)};
-  one.marks = {{std::asin(1.0 / glass) / degree, "critical angle, 41.8°", Anchor::start, 0.5}};
+  Plot one{"From inside glass to air", "IOR 1.5; all is reflected past the critical angle",
+           incidence_axis(), reflectance_axis(), polarizations(1.0 / glass_ior, 90.0)};
+  one.marks = {{std::asin(1.0 / glass_ior) / degree, "critical angle, 41.8°", Anchor::start, 0.5}};
   one.legend = Legend::bottom_right;
-  Plot all{"From inside other indices to air", "unpolarised light; index of the near side",
-           incidence_axis(), reflectance_axis(), by_index(true)};
+  Plot all{"From inside by IOR to air", "unpolarised light; IOR of the near side",
+           incidence_axis(), reflectance_axis(), by_ior(true)};
   all.legend = Legend::bottom_right;
   draw(canvas, one, {0.0, 0.0}, {500.0, 400.0});
   draw(canvas, all, {500.0, 0.0}, {1000.0, 400.0});
@@ -192,7 +192,7 @@ void lobes(Canvas& canvas, double eta, const std::array<double, 4>& angles,
 void mean_directions(Canvas& canvas) {
   const auto panel = [](const std::string& title, double eta) {
     Plot plot{title,
-              "index 1.5, GGX; averaged over f_t |o·n|",
+              "IOR 1.5, GGX; averaged over f_t |o·n|",
               incidence_axis(),
               {"angle of the mean direction", 0.0, 90.0, ticks(0.0, 90.0, 15.0, 0, "°")},
               {}};
@@ -210,9 +210,9 @@ void mean_directions(Canvas& canvas) {
     plot.legend = eta < 1.0 ? Legend::bottom_right : Legend::top_left;
     return plot;
   };
-  draw(canvas, panel("Mean refracted direction, entering glass", glass), {0.0, 0.0},
+  draw(canvas, panel("Mean refracted direction, entering glass", glass_ior), {0.0, 0.0},
        {500.0, 400.0});
-  draw(canvas, panel("Mean refracted direction, leaving glass", 1.0 / glass), {500.0, 0.0},
+  draw(canvas, panel("Mean refracted direction, leaving glass", 1.0 / glass_ior), {500.0, 0.0},
        {1000.0, 400.0});
 }
 
@@ -232,11 +232,11 @@ std::vector<Figure> all_figures() {
       {"shadowing", 560, 400, shadowing_figure},
       {"lobes-entering", 1040, 455,
        [](Canvas& c) {
-         lobes(c, glass, {0, 30, 60, 80}, "Rough glass from outside: index 1.5, GGX, α = 0.3");
+         lobes(c, glass_ior, {0, 30, 60, 80}, "Rough glass from outside: IOR 1.5, GGX, α = 0.3");
        }},
       {"lobes-leaving", 1040, 455,
        [](Canvas& c) {
-         lobes(c, 1.0 / glass, {0, 20, 38, 60}, "Rough glass from inside: index 1.5, GGX, α = 0.3");
+         lobes(c, 1.0 / glass_ior, {0, 20, 38, 60}, "Rough glass from inside: IOR 1.5, GGX, α = 0.3");
        }},
       {"mean-directions", 1000, 400, mean_directions},
   };

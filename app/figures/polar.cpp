@@ -9,7 +9,7 @@
 namespace gg::figures {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr Color glass{0.337, 0.706, 0.914, 0.16};
 constexpr PolarStyle style;
 

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* remedy = "Install libegl1 and libegl-mesa0 (or the GPU's own driver), or "
                                "choose --surface osmesa.";
 
-struct Functions {
+struct EglFunctions {
   Library library{{"libEGL.so.1"}};
   PFNEGLGETPROCADDRESSPROC get_proc_address = nullptr;
   PFNEGLQUERYSTRINGPROC query_string = nullptr;
@@ -32,7 +32,7 @@ struct Functions {
   PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;
   PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string = nullptr;
 
-  Functions() {
+  EglFunctions() {
     library.load(get_proc_address, "eglGetProcAddress");
     library.load(query_string, "eglQueryString");
     library.load(initialize, "eglInitialize");
@@ -56,8 +56,8 @@ struct Functions {
   }
 };
 
-const Functions& egl() {
-  static const Functions functions;
+const EglFunctions& egl() {
+  static const EglFunctions functions;
   return functions;
 }
 
@@ -153,7 +153,7 @@ std::vector<EglChoice> egl_choices() {
 }
 
 std::unique_ptr<Context> open_egl(const EglChoice& choice, bool debug) {
-  const Functions& api = egl();
+  const EglFunctions& api = egl();
   if (!api.library)
     throw Error(ExitCode::device, "EGL", "libEGL.so.1 is not on this machine", remedy);
   if (!api.complete())

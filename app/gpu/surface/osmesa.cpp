@@ -10,14 +10,14 @@
 namespace gg::gpu::surface {
 namespace {
 
-struct Functions {
+struct OsmesaFunctions {
   Library library{{"libOSMesa.so.8", "libOSMesa.so.6"}}; // the latter is a name for the same
   decltype(&OSMesaCreateContextAttribs) create = nullptr;
   decltype(&OSMesaDestroyContext) destroy = nullptr;
   decltype(&OSMesaMakeCurrent) make_current = nullptr;
   decltype(&OSMesaGetProcAddress) get_proc_address = nullptr;
 
-  Functions() {
+  OsmesaFunctions() {
     library.load(create, "OSMesaCreateContextAttribs");
     library.load(destroy, "OSMesaDestroyContext");
     library.load(make_current, "OSMesaMakeCurrent");
@@ -26,8 +26,8 @@ struct Functions {
   bool complete() const { return create && destroy && make_current && get_proc_address; }
 };
 
-const Functions& osmesa() {
-  static const Functions functions;
+const OsmesaFunctions& osmesa() {
+  static const OsmesaFunctions functions;
   return functions;
 }
 
@@ -55,7 +55,7 @@ private:
 } // namespace
 
 std::unique_ptr<Context> open_osmesa() {
-  const Functions& api = osmesa();
+  const OsmesaFunctions& api = osmesa();
   if (!api.library)
     throw Error(ExitCode::device, "OSMesa", "libOSMesa.so is not on this machine",
                 "Install libosmesa6, or choose --surface egl.");
