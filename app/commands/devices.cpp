@@ -39,7 +39,8 @@ void add_devices(Command program) {
   const auto json_file = std::make_shared<std::string>();
   Command command = program.subcommand(
       "devices", "List the devices that can draw, for --backend, --surface and --device");
-  command.option("--json", json_file.get(), "Write the list to this file, or to standard output: -");
+  command.option("--json", json_file.get(),
+                 "Write the list to this file, or to standard output: -");
   command.action([json_file] { print(*json_file); });
 }
 

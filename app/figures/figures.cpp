@@ -85,8 +85,8 @@ void fresnel_inside(Canvas& canvas) {
            incidence_axis(), reflectance_axis(), polarizations(1.0 / glass_ior, 90.0)};
   one.marks = {{std::asin(1.0 / glass_ior) / degree, "critical angle, 41.8°", Anchor::start, 0.5}};
   one.legend = Legend::bottom_right;
-  Plot all{"From inside by IOR to air", "unpolarised light; IOR of the near side",
-           incidence_axis(), reflectance_axis(), by_ior(true)};
+  Plot all{"From inside by IOR to air", "unpolarised light; IOR of the near side", incidence_axis(),
+           reflectance_axis(), by_ior(true)};
   all.legend = Legend::bottom_right;
   draw(canvas, one, {0.0, 0.0}, {500.0, 400.0});
   draw(canvas, all, {500.0, 0.0}, {1000.0, 400.0});
@@ -236,7 +236,8 @@ std::vector<Figure> all_figures() {
        }},
       {"lobes-leaving", 1040, 455,
        [](Canvas& c) {
-         lobes(c, 1.0 / glass_ior, {0, 20, 38, 60}, "Rough glass from inside: IOR 1.5, GGX, α = 0.3");
+         lobes(c, 1.0 / glass_ior, {0, 20, 38, 60},
+               "Rough glass from inside: IOR 1.5, GGX, α = 0.3");
        }},
       {"mean-directions", 1000, 400, mean_directions},
   };
