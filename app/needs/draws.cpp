@@ -147,6 +147,17 @@ bool is_by_pixel(const Draw& draw) {
          && draw.material->alpha_mode != scene::AlphaMode::mask;
 }
 
+// Where a solid is closed the search within finds its far side: the thickness of a plate (stages/glass_inside.glsl) stands in
+// only where that finds nothing, and the factor does for it.
+void leave_thickness_map(Draw& draw) {
+  if (value_of(draw.key, Feature::thickness_map) == 0) return;
+  set_value(draw.key, Feature::thickness_map, 0);
+  draw.maps = maps_of(draw.key, *draw.material);
+  if (!draw.maps.empty()) return;
+  set_value(draw.key, Feature::uv_sets, 0);
+  std::erase_if(draw.inputs, [](const VertexInput& input) { return input.location >= uv_location; });
+}
+
 // Where something is in a list that holds everything once.
 template <class T>
 std::size_t place_in(std::vector<const T*>& list, std::map<const T*, std::size_t>& places,
@@ -247,6 +258,7 @@ Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes) {
                   && shapes.of(instance, draw.primitive->material).planar;
     if (!draw.is_solid() || view.method == Method::standard) continue;
     const scene::SolidShape& shape = shapes.of(instance, draw.body);
+    if (shape.closed) leave_thickness_map(draw);
     draw.images = !draw.is_straight() && !(shape.flat && shape.convex);
     draw.both_sides = is_seen_from_within(draw, shape, clip);
     set_value(draw.key, Feature::seen_from_within, draw.both_sides);

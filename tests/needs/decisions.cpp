@@ -63,14 +63,17 @@ scene::Material thin(scene::Material material) {
   return material;
 }
 
-// An image of one pixel for `slot` of a square with this material.
-scene::Scene square_with_map(scene::Material material, scene::Slot scene::Material::*slot) {
-  (material.*slot).texture = 0;
-  scene::Scene scene = square(material);
+// With an image of one pixel for `slot` of the first material.
+scene::Scene with_map(scene::Scene scene, scene::Slot scene::Material::*slot) {
+  (scene.materials[0].*slot).texture = 0;
   scene.images = {std::make_shared<image::Image8>(
       image::Image8{.width = 1, .height = 1, .rgba = {9, 9, 9, 9}})};
   scene.textures = {{.image = 0}};
   return scene;
+}
+
+scene::Scene square_with_map(const scene::Material& material, scene::Slot scene::Material::*slot) {
+  return with_map(square(material), slot);
 }
 
 } // namespace
@@ -469,6 +472,20 @@ TEST(needs, a_map_that_cannot_matter_is_not_uploaded) {
   EXPECT_EQ(maps(square_with_map(dielectric(0.5f), &scene::Material::thickness_map)), 0u);
   EXPECT_EQ(maps(square_with_map(unlit(glm::vec3(1)), &scene::Material::occlusion_map)), 0u);
   EXPECT_EQ(maps(square_with_map(unlit(glm::vec3(1)), &scene::Material::base_color_map)), 1u);
+}
+
+// The search within finds the far side of a closed solid; an open one is a plate as thick as the map says.
+TEST(needs, a_thickness_map_is_for_what_has_no_far_side) {
+  scene::Scene solid = ball(glass(0.1f));
+  solid.meshes[0].primitives[0].uvs[0] = solid.meshes[0].primitives[0].normals;
+  solid = with_map(solid, &scene::Material::thickness_map);
+  const Needs closed = needs::needs_of(solid, view());
+  EXPECT_TRUE(closed.images.empty());
+  EXPECT_TRUE(closed.draws.all[0].by_pixel);
+  EXPECT_EQ(closed.draws.all[0].inputs.size(), 2u) << "positions and normals";
+  EXPECT_EQ(needs::needs_of(solid, view(Method::standard)).images.size(), 1u);
+  const scene::Scene plate = square_with_map(glass(0.1f), &scene::Material::thickness_map);
+  EXPECT_EQ(needs::needs_of(plate, view()).images.size(), 1u);
 }
 
 TEST(needs, a_map_on_a_fifth_set_of_coordinates_is_named) {
