@@ -155,7 +155,8 @@ void leave_thickness_map(Draw& draw) {
   draw.maps = maps_of(draw.key, *draw.material);
   if (!draw.maps.empty()) return;
   set_value(draw.key, Feature::uv_sets, 0);
-  std::erase_if(draw.inputs, [](const VertexInput& input) { return input.location >= uv_location; });
+  std::erase_if(draw.inputs,
+                [](const VertexInput& input) { return input.location >= uv_location; });
 }
 
 // Where something is in a list that holds everything once.
