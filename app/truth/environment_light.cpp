@@ -48,22 +48,32 @@ EnvironmentLight::EnvironmentLight(environment::Map map, double rotation, double
   cells_.assign((static_cast<std::size_t>(width_) + 1) * static_cast<std::size_t>(height_), 0.0f);
   for (int j = 0; j <= height_; ++j)
     edges_.push_back(std::cos(pi * static_cast<double>(j) / height_));
+  const auto solid_angle = [&](int y) { // of a cell, up to a factor
+    return edges_[static_cast<std::size_t>(y)] - edges_[static_cast<std::size_t>(y) + 1];
+  };
+  double whole = 0.0;
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x)
+      whole += power(x, y) * solid_angle(y);
+  const double mean = whole / (2.0 * width_);
+  mean_ = intensity_ * mean / 3.0;
+  // Only what is brighter than the mean is drawn, by how much it is [KarlikSSKM19]. Of a constant environment, whose
+  // values the mean equals up to the rounding of its sum (2^-53 for each of 2^21 cells), that is nothing.
+  constexpr double rounding = 0x1p-32;
+  const double dim = mean * (1.0 + rounding);
   std::vector<double> sums(static_cast<std::size_t>(width_) + 1);
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x)
-      sums[static_cast<std::size_t>(x) + 1] = sums[static_cast<std::size_t>(x)] + power(x, y);
+      sums[static_cast<std::size_t>(x) + 1] =
+          sums[static_cast<std::size_t>(x)] + std::max(power(x, y) - dim, 0.0);
     const double total = sums.back();
     float* const row = cells_.data() + static_cast<std::size_t>(y) * sums.size();
     for (std::size_t x = 0; x < sums.size(); ++x)
       row[x] = total > 0.0 ? static_cast<float>(sums[x] / total) : 0.0f;
-    // Of a cell, up to a factor.
-    const double solid_angle =
-        edges_[static_cast<std::size_t>(y)] - edges_[static_cast<std::size_t>(y) + 1];
     rows_[static_cast<std::size_t>(y) + 1] =
-        rows_[static_cast<std::size_t>(y)] + total * solid_angle;
+        rows_[static_cast<std::size_t>(y)] + total * solid_angle(y);
   }
   if (const double total = rows_.back(); total > 0.0) {
-    mean_ = intensity_ * total / (3.0 * 2.0 * width_);
     for (double& sum : rows_)
       sum /= total;
   }

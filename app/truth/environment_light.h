@@ -1,4 +1,8 @@
 // The environment as a light: radiance along a direction, and directions drawn where it is bright.
+//
+// Directions are drawn by what the radiance has above its mean, and no others are: those are found where surfaces are
+// followed. For light that is gathered both ways this is the better share of the work: Karlík, Šik, Vévoda, Skřivan,
+// Křivánek 2019, "MIS Compensation" [KarlikSSKM19]. So the density says nothing by itself: it is for mis_share().
 #pragma once
 
 #include "environment/map.h"
@@ -31,7 +35,7 @@ public:
   // the poles.
   glm::dvec3 radiance(const glm::dvec3& direction) const { return radiance(place_of(direction)); }
   glm::dvec3 radiance(const Place& place) const;
-  // Nothing if the environment is black. Of `strata` directions each is drawn from its own part of
+  // Nothing if no direction is brighter than others. Of `strata` directions each is drawn from its own part of
   // the cumulated power, so that together they find a small bright light as often as it is bright.
   std::optional<Drawn> sample(Random& random, int stratum = 0, int strata = 1) const;
   // The density with which sample() draws the direction, 1/sr.

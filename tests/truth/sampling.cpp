@@ -2,6 +2,7 @@
 #include "truth/beckmann_visible.h"
 #include "truth/closure.h"
 #include "truth/estimate.h"
+#include "truth/mis.h"
 #include "truth/surface.h"
 
 #include <numbers>
@@ -276,20 +277,37 @@ environment::Map sky() {
 
 TEST(truth_environment, density_integrates_to_one_and_estimates_the_same_light) {
   const EnvironmentLight light(sky(), 0.7, 2.0);
-  Mean density, uniform, drawn;
+  Mean density, uniform, drawn, all, both;
+  constexpr double sphere = 1.0 / (4.0 * pi); // density of a uniform direction
   for (std::uint64_t k = 0; k < 400000; ++k) {
     Random random(11, 0, k);
     const glm::dvec3 d = uniform_direction(random);
     density.add(light.pdf(d) * 4.0 * pi);
-    uniform.add(light.radiance(d).y * 4.0 * pi);
+    const double there = light.radiance(d).y * 4.0 * pi;
+    all.add(there);
+    uniform.add(light.pdf(d) > 0.0 ? there : 0.0);
     const auto s = light.sample(random);
     ASSERT_TRUE(s);
-    drawn.add(light.radiance(s->place).y / s->pdf);
+    const double found = light.radiance(s->place).y / s->pdf;
+    drawn.add(found);
+    both.add(mis_share(s->pdf, sphere) * found + mis_share(sphere, light.pdf(d)) * there);
   }
   EXPECT_NEAR(density.mean(), 1.0, sigmas * density.error());
   EXPECT_NEAR(drawn.mean(), uniform.mean(), sigmas * std::hypot(drawn.error(), uniform.error()));
+  // What is dimmer than the mean is never drawn, and not lost to those who look for it themselves.
+  EXPECT_NEAR(both.mean(), all.mean(), sigmas * std::hypot(both.error(), all.error()));
+  EXPECT_LT(both.error(), 0.1 * all.error());
   // It is there for a reason: the sun is ten times less noisy than without.
   EXPECT_LT(drawn.error(), 0.1 * uniform.error());
+}
+
+TEST(truth_environment, one_that_is_equally_bright_everywhere_is_left_to_the_surfaces) {
+  const EnvironmentLight light = constant_environment({0.3f, 0.7f, 1.1f});
+  Random random(1, 0, 0);
+  EXPECT_FALSE(light.sample(random));
+  EXPECT_EQ(light.pdf(glm::dvec3(0.0, 1.0, 0.0)), 0.0);
+  constexpr double rounding = 1e-6; // of the floats
+  EXPECT_NEAR(light.mean_radiance(), 0.7, rounding);
 }
 
 TEST(truth_environment, directions_are_where_the_convention_puts_them) {
