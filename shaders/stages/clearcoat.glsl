@@ -52,18 +52,27 @@ vec3 sampledCoat(Surface coat, int n) {
 }
 
 // From all around: the lobe of a surface that reflects everything.
-vec3 coatEnvironment(Surface coat) {
-    if (isSmooth) return reflectedRadiance(coat, reflect(-coat.wo, coat.n), 0.0);
-    float albedo = fetchLobeEnergy(energyTable, dot(coat.n, coat.wo), coat.alpha).albedo;
-    if (method >= 100) return albedo * sampledCoat(coat, method - 100);
-    vec3 sum = vec3(0.0);
-    for (int k = 0; k < lobeCount; ++k) {
-        ReflectionLobe lobe;
-        if (method == 0) lobe = fetchStandardLobe(lobeTable, coat.wo, coat.n, coat.alpha);
-        else lobe = fetchReflectionLobeOf(lobeTable, k, lobeCount, coat.wo, coat.n, coat.alpha, 0.0);
-        sum += lobe.weight * reflectedRadiance(coat, lobe.direction, lobe.sigma);
+EnvironmentLight coatLobe(Surface coat) {
+    EnvironmentLight light;
+    light.edge = 0.0;
+    light.weight = vec3(coat.occlusion);
+    light.diffuse = vec3(0.0);
+    light.base = vec3(0.0);
+    if (isSmooth) {
+        light.lobe.direction = reflect(-coat.wo, coat.n);
+        light.lobe.sigma = 0.0;
+        light.lobe.weight = 1.0;
+    } else {
+        light.weight *= fetchLobeEnergy(energyTable, dot(coat.n, coat.wo), coat.alpha).albedo;
+        if (method == 0) light.lobe = fetchStandardLobe(lobeTable, coat.wo, coat.n, coat.alpha);
+        else light.lobe = fetchReflectionLobeOf(lobeTable, 0, lobeCount, coat.wo, coat.n, coat.alpha, 0.0);
     }
-    return albedo * sum;
+    return light;
+}
+
+vec3 coatEnvironment(Surface coat) {
+    EnvironmentLight light = coatLobe(coat);
+    return light.weight * (method >= 100 ? sampledCoat(coat, method - 100) : reflectedLight(coat, light));
 }
 
 vec3 coatLights(Surface coat) {
@@ -86,14 +95,16 @@ float coatLeaves(Surface s) {
     return 1.0 - coatShare(coatStrength(), dot(coatSurface(s).n, s.wo));
 }
 
-// What it reflects itself.
+// Of what it reflects itself, its share.
+float coatKeeps(Surface s, Surface coat) { return coatShare(coatStrength(), dot(coat.n, s.wo)); }
+
 vec3 coatRadiance(Surface s) {
     if (!hasCoat) return vec3(0.0);
     Surface coat = coatSurface(s);
     vec3 sum = vec3(0.0);
-    if (hasEnvironment) sum += s.occlusion * coatEnvironment(coat);
+    if (hasEnvironment) sum += coatEnvironment(coat);
     if (hasLights) sum += coatLights(coat);
-    return (1.0 - coatLeaves(s)) * sum;
+    return coatKeeps(s, coat) * sum;
 }
 
 vec3 coated(Surface s, vec3 base) { return coatLeaves(s) * base + coatRadiance(s); }

@@ -57,6 +57,21 @@ vec3 mirrorRadiance(MirrorLobes mirror, vec3 transmitted) {
     return sum;
 }
 
+// What the coat over glass reflects: as the mirror under it, on the picture.
+vec3 coatOverGlass(Surface s, vec3 transmitted) {
+    if (!hasCoat) return vec3(0.0);
+    Surface coat = coatSurface(s);
+    float share = coatKeeps(s, coat);
+    vec3 sum = vec3(0.0);
+    if (hasEnvironment) {
+        EnvironmentLight light = coatLobe(coat);
+        light.weight *= share;
+        sum += mirrorRadiance(mirrorLobes(coat, light), transmitted);
+    }
+    if (hasLights) sum += share * coatLights(coat);
+    return sum;
+}
+
 // What the lobes bring: core and rest, what is internally reflected, residual energy and the mirror's, those that are looked for
 // each by its own intersection.
 vec3 glassRadiance(GlassLobes lobes, MirrorLobes mirror) {

@@ -45,13 +45,6 @@ vec3 transmissionTint(Surface s) { return throughShare(s) * s.baseColor * layers
 
 float glassIor() { return ofPixel(material.surface.w); } // tables and composition branch on it
 
-MirrorLobes mirrorLobes(Surface s, EnvironmentLight light) {
-    MirrorLobes mirror = noMirror(s);
-    mirror.core = mirrorLobe(s, light, light.lobe);
-    if (lobeCount > 1) mirror.rest = mirrorLobe(s, light, mergedTail(s, light));
-    return mirror;
-}
-
 // As the pixel shows it: tinted, over its footprint.
 WeightedLobe seenThrough(WeightedLobe w, vec3 tint) {
     WeightedLobe seen = w;

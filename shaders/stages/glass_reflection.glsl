@@ -9,13 +9,14 @@ layout(location = 0) out vec4 outColor;
 void writeReflection(bool shown) {
     Surface s = readSurface(surfaceBaseColor());
     float leaves = coatLeaves(s);
-    vec3 radiance = leaves * s.emissive + coatRadiance(s);
+    vec3 transmitted = texelFetch(lobeWeight, ivec2(gl_FragCoord.xy), 0).xyz;
+    vec3 radiance = leaves * s.emissive + coatOverGlass(s, transmitted);
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);
         light.weight *= leaves;
         light.diffuse *= leaves;
         radiance += light.diffuse;
-        radiance += mirrorRadiance(mirrorLobes(s, light), texelFetch(lobeWeight, ivec2(gl_FragCoord.xy), 0).xyz);
+        radiance += mirrorRadiance(mirrorLobes(s, light), transmitted);
     }
     if (hasLights) radiance += leaves * punctualLight(s);
     outColor = shown ? vec4(radiance, 0.0) : vec4(0.0);

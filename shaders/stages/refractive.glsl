@@ -34,7 +34,7 @@ vec4 refractiveColor(vec4 base) {
     vec3 tint = entry * near.tint; // where the faces are alike
     float clear = near.clear;
     vec3 radiance = leaves * s.emissive;
-    if (hasCoat && twice) radiance += coatRadiance(s);
+    if (hasCoat && twice) radiance += method == 0 ? coatRadiance(s) : coatOverGlass(s, tint * clear);
     float ior = glassIor();
     MirrorLobes mirror = noMirror(s);
     if (hasEnvironment) {

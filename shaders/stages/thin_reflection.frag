@@ -26,13 +26,13 @@ void main() {
     float ior = glassIor();
     vec3 tint = transmissionTint(s);
     float leaves = coatLeaves(s);
-    vec3 radiance = leaves * s.emissive + coatRadiance(s);
+    ThinWallEnergy energy = wallEnergy(dot(s.wo, s.n), s.alpha, ior);
+    vec3 radiance = leaves * s.emissive + coatOverGlass(s, tint * energy.transmitted);
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);
         light.weight *= leaves;
         light.diffuse *= leaves;
         radiance += light.diffuse;
-        ThinWallEnergy energy = wallEnergy(dot(s.wo, s.n), s.alpha, ior);
         MirrorLobes mirror = withReflectedLater(mirrorLobes(s, light), tint * energy.reflectedLater, ior);
         radiance += mirrorRadiance(mirror, tint * energy.transmitted);
     }

@@ -57,6 +57,13 @@ WeightedLobe mirrorLobe(Surface s, EnvironmentLight light, ReflectionLobe lobe) 
     return w;
 }
 
+MirrorLobes mirrorLobes(Surface s, EnvironmentLight light) {
+    MirrorLobes mirror = noMirror(s);
+    mirror.core = mirrorLobe(s, light, light.lobe);
+    if (lobeCount > 1) mirror.rest = mirrorLobe(s, light, mergedTail(s, light));
+    return mirror;
+}
+
 vec3 farLobe(WeightedLobe w) { return w.weight * farRadiance(w.lobe.direction, seenSigma(w.lobe)); }
 
 vec3 farMirror(MirrorLobes mirror) {
