@@ -98,8 +98,7 @@ std::vector<std::uint32_t> neighbours_of(const Draw& draw, std::size_t body,
 
 void find_neighbours(Draws& draws, const scene::Scene& scene, const Proxies& proxies) {
   for (Draw& draw : draws.all) {
-    if (draw.material->unlit || draw.role == Role::refractive)
-      continue; // glass looks at the picture
+    if (draw.material->unlit) continue;
     const auto own = proxies.bodies.find(place_in(scene, draws, draw));
     // What does not cast is no body.
     const std::size_t body =

@@ -46,6 +46,11 @@ ReflectionLobe mergedLobes(ReflectionLobe a, ReflectionLobe b) {
 // Dielectrics reflect little: the environment by each of their lobes, neighbours by one that stands for all.
 const bool mergesLobes = neighbourKinds != 0 && shading == 1 && lobeCount > 1;
 
+// A quarter of a step of 8 bits of all that the surface sends: of little light a little share is not seen.
+float leastShareOf(vec3 weight, vec3 all) {
+    return max(0.25 / max(meanOf(weight) / max(meanOf(all), 1e-6), LEAST_SHARE), 1.0) * LEAST_SHARE;
+}
+
 // What the lobes bring, the first of which is given. weight: of it, in what the surface sends beside `base`.
 vec3 mergedRadiance(Surface s, ReflectionLobe first, float edge, vec3 weight, vec3 base) {
     ReflectionLobe lobe = first;
@@ -58,9 +63,8 @@ vec3 mergedRadiance(Surface s, ReflectionLobe first, float edge, vec3 weight, ve
         }
         far += lobe.weight * farRadiance(lobe.direction, sqrt(lobe.sigma * lobe.sigma + s.turn));
     }
-    // A quarter of a step of 8 bits of all that the surface sends: of little light a little share is not seen.
-    float least = max(0.25 / max(meanOf(weight) / max(meanOf(weight + base), 1e-6), LEAST_SHARE), 1.0) * LEAST_SHARE;
-    return surroundingRadiance(s.position, s.n, merged.direction, sqrt(merged.sigma * merged.sigma + s.turn), far, least);
+    float sigma = sqrt(merged.sigma * merged.sigma + s.turn);
+    return surroundingRadiance(s.position, s.n, merged.direction, sigma, far, leastShareOf(weight, weight + base));
 }
 
 #include "stages/brushed.glsl"
@@ -105,7 +109,7 @@ EnvironmentLight environmentLobe(Surface s) {
     bool hasBase = shading == 1 || shading == 3;
     if (hasBase || scattersAgain) {
         vec3 around = wideRadiance(s.n);
-        if (neighbourKinds != 0) around = surroundingIrradiance(s.position, s.n);
+        if (neighbourKinds != 0 && transmission == 0) around = surroundingIrradiance(s.position, s.n);
         if (hasBase) {
             vec3 angles = diffuseAngles(cosO);
             vec3 fresnel = mix(dielectricFresnel(s, angles.y), dielectricFresnel(s, angles.x), angles.z);

@@ -6,6 +6,9 @@
 // it squarely, 4 %, is not, at twice that it is in full. The environment stands in. Glass that absorbs shows little but its mirror.
 float looked(vec3 weight, vec3 all) { return hasNeighbours ? smoothstep(0.04, 0.08, largest(weight / max(all, vec3(1e-6)))) : 0.0; }
 
+// The mirror's: neighbours answer where they are known, as the picture shows their other side.
+float mirrored(vec3 weight, vec3 all) { return neighbourKinds == 0 ? looked(weight, all) : 0.0; }
+
 // Punctual lights as a lobe sees them, by its density at their directions: a Gaussian of its own width. A smooth path shows a
 // point of light to nobody.
 vec3 lightsAlong(LobeRay lobe) {
@@ -50,10 +53,11 @@ vec3 pairRadiance(WeightedLobe core, WeightedLobe rest, bool both, float within,
 // What the mirror's lobes bring, beside light that is transmitted with so much weight.
 vec3 mirrorRadiance(MirrorLobes mirror, vec3 transmitted) {
     vec3 reflected = mirror.core.weight + mirror.rest.weight;
-    float share = looked(reflected, reflected + transmitted);
+    vec3 all = reflected + transmitted;
+    float share = mirrored(reflected, all);
     vec3 sum = vec3(0.0);
     if (share > 0.0) sum += share * pairRadiance(mirror.core, mirror.rest, lobeCount > 1, -1.0, false);
-    if (share < 1.0) sum += (1.0 - share) * farMirror(mirror);
+    if (share < 1.0) sum += (1.0 - share) * aroundMirror(mirror, all);
     return sum;
 }
 
@@ -84,7 +88,7 @@ vec3 glassRadiance(GlassLobes lobes, MirrorLobes mirror) {
     float reflectedInside = largest(lobes.reflectedInside.weight) > 0.0 ? 1.0 : 0.0;
     vec3 reflected = mirror.core.weight + mirror.rest.weight;
     vec3 all = reflected + lobes.core.weight + lobes.rest.weight + lobes.reflectedInside.weight + lobes.residual.weight;
-    vec3 wanted = vec3(reflectedInside, looked(reflected, all), looked(lobes.residual.weight, all));
+    vec3 wanted = vec3(reflectedInside, mirrored(reflected, all), looked(lobes.residual.weight, all));
     // Lanes of a group run as long as the longest: the way is short where nothing but the core is looked for.
     int group = 0;
     while (group < 4) {
@@ -121,7 +125,7 @@ vec3 glassRadiance(GlassLobes lobes, MirrorLobes mirror) {
         if (group == 2 && wanted.y == 0.0) ++group;
         if (group == 3 && wanted.z == 0.0) ++group;
     }
-    if (hasEnvironment) sum += (1.0 - wanted.y) * farMirror(mirror);
+    if (hasEnvironment) sum += (1.0 - wanted.y) * aroundMirror(mirror, all);
     if (transmission == 1) return sum; // a wall has no residual energy
     // Where it always scatters diffusely, the widest lookup does.
     vec3 left = interiorPairs < 2 ? farLobe(lobes.residual) : lobes.residual.weight * wideRadiance(lobes.residual.lobe.direction);

@@ -23,6 +23,7 @@ struct GlassLobes {
 struct MirrorLobes {
     WeightedLobe core;
     WeightedLobe rest; // not there where the lobe's table has one lobe
+    vec3 n; // of what reflects
 };
 
 WeightedLobe weighted(ComposedLobe lobe, vec3 origin, float inside, vec3 weight) {
@@ -46,6 +47,7 @@ MirrorLobes noMirror(Surface s) {
     MirrorLobes mirror;
     mirror.core = noLobe(s.position, s.n);
     mirror.rest = mirror.core;
+    mirror.n = s.n;
     return mirror;
 }
 
@@ -73,3 +75,25 @@ vec3 farMirror(MirrorLobes mirror) {
 }
 
 float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
+
+// Past neighbours, which one lobe of the same mean and variance is asked for; all: of what the pixel shows beside it.
+vec3 aroundMirror(MirrorLobes mirror, vec3 all) {
+    vec3 far = farMirror(mirror);
+    if (neighbourKinds == 0) return far;
+    ReflectionLobe lobe;
+    lobe.direction = mirror.core.lobe.direction;
+    lobe.sigma = mirror.core.lobe.sigma;
+    lobe.weight = meanOf(mirror.core.weight);
+    vec3 weight = mirror.core.weight;
+    if (lobeCount > 1) {
+        ReflectionLobe rest = lobe;
+        rest.direction = mirror.rest.lobe.direction;
+        rest.sigma = mirror.rest.lobe.sigma;
+        rest.weight = meanOf(mirror.rest.weight);
+        lobe = mergedLobes(lobe, rest);
+        weight += mirror.rest.weight;
+    }
+    float sigma = sqrt(lobe.sigma * lobe.sigma + mirror.core.lobe.turn);
+    return weight * surroundingRadiance(mirror.core.lobe.origin, mirror.n, lobe.direction, sigma, far / max(weight, vec3(1e-6)),
+                                        leastShareOf(weight, all));
+}

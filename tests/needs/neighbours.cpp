@@ -101,7 +101,7 @@ TEST(proxies, a_square_is_a_rectangle_and_a_box_its_six_faces) {
 
 TEST(neighbours, a_thing_alone_has_none_and_pays_for_none) {
   for (const scene::Scene& scene :
-       {ball(metal(0.3f)), box(dielectric(0.5f)), square(metal(0.1f))}) {
+       {ball(metal(0.3f)), ball(glass(0.1f)), box(dielectric(0.5f)), square(metal(0.1f))}) {
     const Needs needs = needs::needs_of(scene, view());
     EXPECT_TRUE(needs.draws.all[0].neighbours.empty());
     EXPECT_EQ(kinds(needs, 0), 0);
@@ -118,7 +118,8 @@ TEST(neighbours, are_other_bodies_in_or_out_of_the_picture) {
   EXPECT_EQ(needs.draws.all[0].neighbours.size(), 2u);
   EXPECT_EQ(kinds(needs, 0),
             needs::some_spheres | needs::some_rectangles | needs::some_glass | needs::some_opaque);
-  EXPECT_EQ(kinds(needs, 1), 0) << "glass looks at the picture";
+  EXPECT_EQ(kinds(needs, 1), needs::some_spheres | needs::some_rectangles | needs::some_opaque)
+      << "what glass reflects";
 }
 
 TEST(neighbours, are_none_for_what_peers_do_and_for_what_is_unlit) {
