@@ -93,17 +93,22 @@ BackFaceExit backFaceBetween(BackFace face, vec2 at, vec2 hit, vec3 p, float w, 
   return found;
 }
 
-// From the back face behind the pixel on to the plane that is seen where the ray meets it, until the next is the same.
-// first: how far along the ray to begin, metres: 0 on the front face.
-BackFaceExit backFaceExit(vec3 origin, vec3 direction, float first, float eta, FaceLayer which, SceneView view) {
+BackFaceExit noBackFace(vec3 direction, float eta) {
   BackFaceExit none;
   none.exit.surface.n = direction;
   none.exit.surface.alpha = 0.0;
   none.exit.surface.turn = vec2(0.0);
-  none.exit.path = 0.0;
   none.exit.surface.eta = eta;
+  none.exit.path = 0.0;
   none.number = 0.0;
   none.found = false;
+  return none;
+}
+
+// From the back face behind the pixel on to the plane that is seen where the ray meets it, until the next is the same.
+// first: how far along the ray to begin, metres: 0 on the front face.
+BackFaceExit backFaceExit(vec3 origin, vec3 direction, float first, float eta, FaceLayer which, SceneView view) {
+  BackFaceExit none = noBackFace(direction, eta);
   float inside = 0.0; // the farthest place where the body was seen behind the ray
   float t = first;
   for (int k = 0; k < BACK_FACE_STEPS; ++k) {

@@ -97,23 +97,26 @@ struct Leaving {
 };
 
 Leaving leaveGlass(GlassFace face, ConvexBody body, Entering e, ConvexExit coreExit, ConvexExit tailExit, Widening k) {
-  ComposedPair first = engineLeavingPair(e.core, true, coreExit.surface, k);
   Leaving leaving;
-  leaving.pair = first;
-  if (e.tail.weight > 0.0) leaving.pair = mergePairs(first, engineLeavingPair(e.tail, false, tailExit.surface, k));
+  leaving.pair = engineLeavingPair(e.core, true, coreExit.surface, k);
+  leaving.passed = e.core.weight > 0.0 ? (leaving.pair.core.weight + leaving.pair.rest.weight) / e.core.weight : 0.0;
+  if (e.tail.weight > 0.0) leaving.pair = mergePairs(leaving.pair, engineLeavingPair(e.tail, false, tailExit.surface, k));
   // Over the pixel both faces turn together, as a prism's do: by 2 (1 - 1 / ior) of the normal's turn.
   float bent = 2.0 * (1.0 - 1.0 / body.ior);
   leaving.pair.core.sigma = sqrt(leaving.pair.core.sigma * leaving.pair.core.sigma + bent * bent * face.turn);
-  leaving.passed = e.core.weight > 0.0 ? (first.core.weight + first.rest.weight) / e.core.weight : 0.0;
   return leaving;
 }
 
 // What a pair of lobes shows that leaves at `origin`, `inside` metres after the near face.
 vec3 pairRadiance(ComposedPair pair, vec3 origin, float inside, SceneView view) {
-  SceneIntersection met = sceneIntersection(origin, pair.core.direction, view);
-  vec3 sum = pair.core.weight * lobeRadiance(pair.core, origin, inside, met, view);
   // The rest leaves beside the core and meets the same thing.
-  if (pair.rest.weight > 0.0) sum += pair.rest.weight * lobeRadiance(pair.rest, origin, inside, met, view);
+  SceneIntersection met = sceneIntersection(origin, pair.core.direction, view);
+  vec3 sum = vec3(0.0);
+  ComposedLobe lobe = pair.core;
+  for (int which = 0; which < 2 && (which == 0 || lobe.weight > 0.0); ++which) {
+    sum += lobe.weight * lobeRadiance(lobe, origin, inside, met, view);
+    lobe = pair.rest;
+  }
   return sum;
 }
 

@@ -23,27 +23,40 @@ struct WayOut {
 // Past the critical angle all is reflected, and followed to the next back face, `reflections` times: a facet turns it by twice its
 // tilt.
 WayOut wayOut(vec3 origin, InnerLobe lobe, float eta, FaceLayer which, int reflections, SceneView view) {
-  BackFaceExit seen = backFaceExit(origin, lobe.direction, 0.0, eta, which, view);
   WayOut way;
   way.lobe = lobe;
-  way.exit = seen.exit;
-  way.point = origin + seen.exit.path * lobe.direction;
-  way.found = seen.found;
-  for (int k = 0; k < reflections && seen.found; ++k) {
-    float cosTheta = dot(way.lobe.direction, seen.exit.surface.n);
-    if ((1.0 - cosTheta) * (1.0 + cosTheta) < eta * eta) break;
-    vec3 onward = way.lobe.direction - 2.0 * cosTheta * seen.exit.surface.n;
-    float alpha = seen.exit.surface.alpha;
-    seen = backFaceExit(way.point, onward, 0.5 * seen.exit.path, eta, which, view);
+  way.point = origin;
+  way.exit = noBackFace(lobe.direction, eta).exit;
+  way.found = false;
+  InnerLobe onward = lobe;
+  float first = 0.0; // where the search begins: after a reflection half as far as the last way
+  for (int k = 0; k <= reflections; ++k) {
+    BackFaceExit seen = backFaceExit(way.point, onward.direction, first, eta, which, view);
     if (!seen.found) break;
-    way.lobe.direction = onward;
-    way.lobe.sigma = sqrt(way.lobe.sigma * way.lobe.sigma + 4.0 * alpha * alpha);
-    way.lobe.weight *= engineFaceEnergy(cosTheta, alpha, eta).reflected;
     float before = way.exit.path;
+    way.lobe = onward;
     way.exit = seen.exit;
     way.exit.path = before + seen.exit.path;
-    way.point += seen.exit.path * onward;
+    way.point += seen.exit.path * onward.direction;
+    way.found = true;
+    float cosTheta = dot(onward.direction, seen.exit.surface.n);
+    if (k == reflections || (1.0 - cosTheta) * (1.0 + cosTheta) < eta * eta) break;
+    float alpha = seen.exit.surface.alpha;
+    onward.direction -= 2.0 * cosTheta * seen.exit.surface.n;
+    onward.sigma = sqrt(onward.sigma * onward.sigma + 4.0 * alpha * alpha);
+    onward.weight *= engineFaceEnergy(cosTheta, alpha, eta).reflected;
+    first = 0.5 * seen.exit.path;
   }
+  return way;
+}
+
+// Where no face is found: by the lens that convex_body.glsl takes the body for.
+WayOut convexWayOut(GlassFace face, InnerLobe lobe, ConvexBody body) {
+  WayOut way;
+  way.lobe = lobe;
+  way.exit = convexExit(face.n, lobe.direction, body);
+  way.point = face.position + way.exit.path * lobe.direction;
+  way.found = false;
   return way;
 }
 
@@ -55,18 +68,41 @@ FaceLayer leavingFaces(int layer, float number) {
   return which;
 }
 
+// Of both lobes, by the nearest back faces or, where they show none and `last` is SECOND_BACKS, by those behind: a ray that runs along
+// a wall comes out on the far side of a hollow body. Loops, so that a program has the search once: compilers inline it.
+struct WaysOut {
+  WayOut core;
+  WayOut tail;
+};
+
+WaysOut waysOut(GlassFace face, ConvexBody body, Entering entered, int last, float number, int reflections, SceneView view) {
+  WaysOut ways;
+  ways.core = convexWayOut(face, entered.core, body);
+  ways.tail = convexWayOut(face, entered.tail, body);
+  for (int which = 0; which < 2; ++which) {
+    InnerLobe lobe = entered.core;
+    if (which == 1) lobe = entered.tail;
+    if (which == 1 && (!(lobe.weight > 0.0) || !ways.core.found)) break;
+    WayOut way = ways.core;
+    way.lobe = lobe;
+    way.found = false;
+    for (int layer = BACK_FACES; layer <= last && !way.found; ++layer) {
+      if (layer == SECOND_FRONTS) continue;
+      WayOut seen = wayOut(face.position, lobe, 1.0 / body.ior, leavingFaces(layer, number), reflections, view);
+      if (seen.found) way = seen;
+    }
+    if (which == 0) ways.core = way;
+    else ways.tail = way;
+  }
+  return ways;
+}
+
 vec3 refractFrontBack(GlassFace face, ConvexBody body, float number, SceneView view, Widening k) {
   Entering entered = enterGlass(face, body.ior);
-  WayOut core = wayOut(face.position, entered.core, 1.0 / body.ior, leavingFaces(BACK_FACES, number), 1, view);
-  if (!core.found) return refractConvex(face, body, view, k);
-  entered.core = core.lobe;
-  WayOut tail = core;
-  if (entered.tail.weight > 0.0) {
-    tail = wayOut(face.position, entered.tail, 1.0 / body.ior, leavingFaces(BACK_FACES, number), 1, view);
-    if (tail.found) entered.tail = tail.lobe;
-    if (!tail.found) tail.exit = core.exit;
-  }
-  return refractThrough(face, body, entered, core.point, core.exit, tail.exit, view, k);
+  WaysOut ways = waysOut(face, body, entered, BACK_FACES, number, 1, view);
+  entered.core = ways.core.lobe;
+  entered.tail = ways.tail.lobe;
+  return refractThrough(face, body, entered, ways.core.point, ways.core.exit, ways.tail.exit, view, k);
 }
 
 #endif

@@ -23,6 +23,9 @@ struct SceneIntersection {
   bool seen;    // false: the environment stands in
 };
 
+// A ray that passes behind what is seen meets it if it is no farther behind than this part of the scene's extent: how thick things
+// are is not known.
+const float SCENE_THICK = 0.05;
 const int SCENE_GUESSES = 4;
 const int SCENE_STEPS = 12;
 const int SCENE_SECANTS = 5;
@@ -113,7 +116,8 @@ SceneIntersection sceneMarch(vec4 origin, vec4 along, SceneView view) {
   float near = (1.0 - u) / origin.w;
   float far = u / to.w;
   met.metres = view.reach * end * far / (near + far);
-  met.seen = heightLow - heightHigh < 0.5 * gap || gap < 1e-6;
+  bool surface = heightLow - heightHigh < 0.5 * gap || gap < 1e-6;
+  met.seen = surface || 1.0 / max(near + far, 1e-30) - depth < SCENE_THICK * view.reach;
   return met;
 }
 

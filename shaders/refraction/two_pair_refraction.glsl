@@ -14,13 +14,6 @@
 
 const int REFLECTIONS_INSIDE = 3;
 
-// By the nearest back faces, or by those behind: a ray that runs along a wall comes out on the far side of a hollow body.
-WayOut wayOutOfTwo(vec3 origin, InnerLobe lobe, float eta, float number, SceneView view) {
-  WayOut near = wayOut(origin, lobe, eta, leavingFaces(BACK_FACES, number), REFLECTIONS_INSIDE, view);
-  if (near.found) return near;
-  return wayOut(origin, lobe, eta, leavingFaces(SECOND_BACKS, number), REFLECTIONS_INSIDE, view);
-}
-
 InnerLobe lobeOnward(ComposedLobe lobe) {
   InnerLobe onward;
   onward.direction = lobe.direction;
@@ -29,21 +22,35 @@ InnerLobe lobeOnward(ComposedLobe lobe) {
   return onward;
 }
 
-// What a pair of lobes shows that leaves the first body at `origin`.
-vec3 secondBody(ComposedPair pair, vec3 origin, float inside, ConvexBody body, SceneView view, Widening k) {
+// What becomes of a pair of lobes that leaves the first body.
+struct SecondBody {
+  ComposedPair pair; // behind the second body, if it is met
+  vec3 origin;       // where that is left
+  float inside;      // metres from the first body's exit, those in glass divided by the index; of the first body without
+  vec3 passed;       // absorption
+  vec3 reflected;    // radiance that the second front face mirrors
+};
+
+SecondBody throughSecondBody(ComposedPair pair, vec3 origin, float inside, ConvexBody body, SceneView view, Widening k) {
+  SecondBody second;
+  second.pair = pair;
+  second.origin = origin;
+  second.inside = inside;
+  second.passed = vec3(1.0);
+  second.reflected = vec3(0.0);
   FaceLayer fronts = leavingFaces(SECOND_FRONTS, -1.0);
   fronts.side = -1.0;
   BackFaceExit front = backFaceExit(origin, pair.core.direction, 0.0, body.ior, fronts, view);
-  if (!front.found) return pairRadiance(pair, origin, inside, view);
+  if (!front.found) return second;
   InnerLobe outer = lobeOnward(pair.core);
   ComposedPair entered = engineLeavingPair(outer, true, front.exit.surface, k);
   InnerLobe inner = lobeOnward(mergeLobes(entered.core, entered.rest));
   vec3 point = origin + front.exit.path * outer.direction;
   WayOut way = wayOut(point, inner, 1.0 / body.ior, leavingFaces(SECOND_BACKS, front.number), REFLECTIONS_INSIDE, view);
-  if (!way.found) return pairRadiance(pair, origin, inside, view);
+  if (!way.found) return second;
   ComposedPair beyond = engineLeavingPair(way.lobe, true, way.exit.surface, k);
   // The spread on the way between the bodies is a spread of places where the second is left.
-  float between = front.exit.path + way.exit.path / body.ior;
+  second.inside = front.exit.path + way.exit.path / body.ior;
   beyond.core.inner = outer.sigma;
   beyond.rest.inner = outer.sigma;
   // The first body's rest goes beside its core through the same faces.
@@ -52,30 +59,28 @@ vec3 secondBody(ComposedPair pair, vec3 origin, float inside, ConvexBody body, S
   aside.direction = normalize(pair.rest.direction + beyond.core.direction - pair.core.direction);
   aside.weight *= passed;
   beyond.rest = mergeLobes(beyond.rest, aside);
-  vec3 sum = exp(-way.exit.path * body.attenuation) * pairRadiance(beyond, way.point, between, view);
-  // What the second front face reflects.
+  second.pair = beyond;
+  second.origin = way.point;
+  second.passed = exp(-way.exit.path * body.attenuation);
   float cosTheta = dot(outer.direction, front.exit.surface.n);
   float alpha = front.exit.surface.alpha;
   float weight = (pair.core.weight + pair.rest.weight) * engineFaceEnergy(cosTheta, alpha, body.ior).reflected;
   vec3 mirrored = outer.direction - 2.0 * cosTheta * front.exit.surface.n;
-  return sum + weight * engineEnvironment(mirrored, min(sqrt(outer.sigma * outer.sigma + 4.0 * alpha * alpha), 0.606));
+  second.reflected = weight * engineEnvironment(mirrored, min(sqrt(outer.sigma * outer.sigma + 4.0 * alpha * alpha), 0.606));
+  return second;
 }
 
 vec3 refractTwoPairs(GlassFace face, ConvexBody body, float number, SceneView view, Widening k) {
   Entering entered = enterGlass(face, body.ior);
-  WayOut core = wayOutOfTwo(face.position, entered.core, 1.0 / body.ior, number, view);
-  if (!core.found) return refractConvex(face, body, view, k);
-  entered.core = core.lobe;
-  WayOut tail = core;
-  if (entered.tail.weight > 0.0) {
-    tail = wayOutOfTwo(face.position, entered.tail, 1.0 / body.ior, number, view);
-    if (tail.found) entered.tail = tail.lobe;
-    if (!tail.found) tail.exit = core.exit;
-  }
-  Leaving left = leaveGlass(face, body, entered, core.exit, tail.exit, k);
-  vec3 sum = secondBody(left.pair, core.point, core.exit.path, body, view, k);
-  return sum * exp(-core.exit.path * body.attenuation)
-         + internallyReflected(face, body, entered.core, entered.energy, core.exit, left.passed);
+  WaysOut ways = waysOut(face, body, entered, SECOND_BACKS, number, REFLECTIONS_INSIDE, view);
+  entered.core = ways.core.lobe;
+  entered.tail = ways.tail.lobe;
+  ConvexExit exit = ways.core.exit;
+  Leaving left = leaveGlass(face, body, entered, exit, ways.tail.exit, k);
+  SecondBody second = throughSecondBody(left.pair, ways.core.point, exit.path, body, view, k);
+  vec3 sum = second.passed * pairRadiance(second.pair, second.origin, second.inside, view) + second.reflected;
+  return sum * exp(-exit.path * body.attenuation)
+         + internallyReflected(face, body, entered.core, entered.energy, exit, left.passed);
 }
 
 #endif

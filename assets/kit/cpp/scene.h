@@ -284,9 +284,10 @@ struct Levels {
   }
 };
 
-// offset: of the picture, in pixels to the right and down. lowest_first: whether a picture's first row is its lowest (OpenGL).
+// offset: of the picture, in pixels to the right and down. samples: pictures, each at another offset, that are averaged: lobes blur
+// over so much less of a pixel. lowest_first: whether a picture's first row is its lowest (OpenGL).
 inline FrameBlock frame_of(const Scene& scene, const Levels& levels, int width, int height,
-                           glm::vec2 offset, int last_level, bool lowest_first) {
+                           glm::vec2 offset, int samples, int last_level, bool lowest_first) {
   const Camera& c = scene.camera;
   const float focal = 1.0F / std::tan(0.5F * c.yfov), aspect = float(width) / float(height);
   const glm::vec2 shift(-2.0F * offset.x / float(width), 2.0F * offset.y / float(height));
@@ -306,7 +307,7 @@ inline FrameBlock frame_of(const Scene& scene, const Levels& levels, int width, 
   frame.range =
       glm::vec4(c.near, c.far, std::max(1.02F * glm::length(scene.high - scene.low), c.near),
                 lowest_first ? 1.0F : 0.0F);
-  frame.atlas = glm::vec4(levels.width, levels.height[0], levels.height[1], 0.0F);
+  frame.atlas = glm::vec4(levels.width, levels.height[0], levels.height[1], 1.0F / float(samples));
   for (int k = 0; k < LEVELS; ++k)
     frame.tiles[k] =
         glm::vec4(levels.level[k].size, levels.level[k].row, levels.level[k].sigma, 0.0F);
@@ -347,15 +348,15 @@ struct Averaged {
   std::vector<float> texels; // linear RGBA
   double ms = 0.0;           // of one frame
 };
-// Frames at places of the pixel, averaged: a box filter. Renderer: std::vector<float> draw(glm::vec2 offset).
+// Frames at places of the pixel, averaged: a box filter. Renderer: std::vector<float> draw(glm::vec2 offset, int frames).
 template <class Renderer>
 Averaged averaged_of(Renderer& renderer, const Asked& asked) {
   Averaged sum{std::vector<float>(4U * asked.width * asked.height)};
   const int frames = asked.samples * asked.samples;
-  renderer.draw({}); // drivers compile at the first draw
+  renderer.draw({}, frames); // drivers compile at the first draw
   const auto start = std::chrono::steady_clock::now();
   for (int k = 0; k < frames; ++k) {
-    const std::vector<float> one = renderer.draw(offset_of(k, asked.samples));
+    const std::vector<float> one = renderer.draw(offset_of(k, asked.samples), frames);
     for (std::size_t i = 0; i < sum.texels.size(); ++i)
       sum.texels[i] += one[i] / float(frames);
   }

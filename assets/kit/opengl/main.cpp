@@ -149,9 +149,10 @@ public:
     blur_environment(map);
   }
 
-  // Linear radiance, RGBA, the lowest row first. offset: see frame_of.
-  std::vector<float> draw(glm::vec2 offset) {
-    const FrameBlock frame = frame_of(scene_, environment_, width_, height_, offset, last_, true);
+  // Linear radiance, RGBA, the lowest row first. offset, samples: see frame_of.
+  std::vector<float> draw(glm::vec2 offset, int samples) {
+    const FrameBlock frame =
+        frame_of(scene_, environment_, width_, height_, offset, samples, last_, true);
     glNamedBufferSubData(blocks_[FRAME], 0, sizeof frame, &frame);
     draw_bodies();                     // 1. what is not glass, with its depth
     for (int k = 1; k <= last_; ++k) { // 2. its pyramid of Gaussians

@@ -7,7 +7,8 @@ GG_BLOCK(0) GgFrame {
   vec4 ggForward;
   vec4 ggPicture; // width, height, pixels per unit of tangent, last level of the pyramid
   vec4 ggRange;   // near, far, reach (metres beyond which there is nothing), 1: row 0 of a picture is its lowest
-  vec4 ggAtlas;   // texels of the environment's atlases: width, height of the even levels', of the odd ones'
+  vec4 ggAtlas;   // texels of the environment's atlases: width, height of the even levels', of the odd ones'; share of a pixel's area that the
+                  // picture's sample stands for: 1, or 1 / N where N pictures are averaged
   vec4 ggTiles[LEVELS]; // of the environment's levels: texels along an edge, first row, sigma
 };
 GG_SAMPLER(4) sampler3D ggEnergy;
@@ -23,10 +24,8 @@ vec3 ggTile(sampler2D atlas, float height, vec4 tile, vec2 p) {
   vec2 texel = vec2(1.0, tile.y + 1.0) + (0.5 + 0.5 * p) * tile.x;
   return textureLod(atlas, texel / vec2(ggAtlas.x, height), 0.0).rgb;
 }
-vec3 ggLevel(int level, vec2 p) {
-  return level % 2 == 0 ? ggTile(ggEnvironmentEven, ggAtlas.y, ggTiles[level], p) : ggTile(ggEnvironmentOdd, ggAtlas.z, ggTiles[level], p);
-}
-// Levels are sqrt(2) apart in sigma from the first blurred one on; between two the mix keeps the variance.
+// Levels are sqrt(2) apart in sigma from the first blurred one on; between two the mix keeps the variance. One of two neighbours is even,
+// the other odd: one read of each atlas.
 vec3 ggEnvironment(vec3 direction, float sigma) {
   vec3 d = direction / (abs(direction.x) + abs(direction.y) + abs(direction.z));
   vec2 p = d.y >= 0.0 ? d.xz : (1.0 - abs(d.zx)) * vec2(d.x < 0.0 ? -1.0 : 1.0, d.z < 0.0 ? -1.0 : 1.0);
@@ -34,7 +33,10 @@ vec3 ggEnvironment(vec3 direction, float sigma) {
   float low = ggTiles[below].z * ggTiles[below].z;
   float high = ggTiles[below + 1].z * ggTiles[below + 1].z;
   float share = clamp((sigma * sigma - low) / (high - low), 0.0, 1.0);
-  return ggEye.w * mix(ggLevel(below, p), ggLevel(below + 1, p), share);
+  int even = below + below % 2;
+  int odd = below + 1 - below % 2;
+  return ggEye.w * mix(ggTile(ggEnvironmentEven, ggAtlas.y, ggTiles[even], p), ggTile(ggEnvironmentOdd, ggAtlas.z, ggTiles[odd], p),
+                       even == below ? share : 1.0 - share);
 }
 // Pixels, (0.5, 0.5) the middle of the top left one -> texture coordinates.
 vec2 ggPlace(vec2 at) { return vec2(at.x, ggRange.w > 0.5 ? ggPicture.y - at.y : at.y) / ggPicture.xy; }

@@ -42,7 +42,7 @@ void main() {
   vec3 alongY = dFdy(vPosition);
   vec3 turnX = dFdx(shape);
   vec3 turnY = dFdy(shape);
-  face.turn = (dot(turnX, turnX) + dot(turnY, turnY)) / 24.0; // evenly over a pixel: a twelfth of its width²
+  face.turn = ggAtlas.w * (dot(turnX, turnX) + dot(turnY, turnY)) / 24.0; // evenly over a pixel: a twelfth of its width²
   // The mean of the normal curvatures along two directions of the surface.
   float bend = 0.5 * (dot(turnX, alongX) / max(dot(alongX, alongX), 1e-20) + dot(turnY, alongY) / max(dot(alongY, alongY), 1e-20));
   gg_ConvexBody body;

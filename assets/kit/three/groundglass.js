@@ -12,7 +12,7 @@ let drawing = false; // while a frame is drawn three must not see our materials 
 const tables = {
   ggEnergy: { value: null }, ggLobes: { value: null }, ggReflection: { value: null }, ggPyramid: { value: null }, ggDepth: { value: null }, ggLayers: { value: [] },
   ggEnvironmentEven: { value: null }, ggEnvironmentOdd: { value: null }, ggTiles: { value: [] }, ggAtlas: { value: new THREE.Vector4() },
-  ggClipFromWorld: { value: new THREE.Matrix4() }, ggPicture: { value: new THREE.Vector4() }, ggRange: { value: new THREE.Vector4() },
+  ggSampleArea: { value: 1 }, ggClipFromWorld: { value: new THREE.Matrix4() }, ggPicture: { value: new THREE.Vector4() }, ggRange: { value: new THREE.Vector4() },
 };
 
 const zeros = new THREE.DataTexture(new Float32Array(4), 1, 1, THREE.RGBAFormat, THREE.FloatType);
@@ -27,6 +27,7 @@ uniform vec4 ggAtlas; // width, heights of both, intensity
 uniform vec4 ggPicture; // width, height, pixels per unit of tangent, last level
 uniform vec4 ggRange; // near, far, reach, 1: back faces are drawn
 uniform mat4 ggClipFromWorld;
+uniform float ggSampleArea; // share of a pixel's area that the frame's sample stands for
 uniform float ggTransmission, ggThickness, ggCurvature, ggIor, ggBackAlpha, ggBeckmann;
 uniform vec3 ggAttenuation;
 uniform sampler2D ggThicknessMap, ggTransmissionMap;
@@ -58,18 +59,18 @@ vec3 ggTile(sampler2D atlas, float height, vec3 tile, vec2 p) {
   vec2 texel = vec2(1.0, tile.y + 1.0) + (0.5 + 0.5 * p) * tile.x;
   return textureLod(atlas, texel / vec2(ggAtlas.x, height), 0.0).rgb;
 }
-vec3 ggLevel(int level, vec2 p) {
-  return level % 2 == 0 ? ggTile(ggEnvironmentEven, ggAtlas.y, ggTiles[level], p) : ggTile(ggEnvironmentOdd, ggAtlas.z, ggTiles[level], p);
-}
 vec3 gg_engineEnvironment(vec3 direction, float sigma) {
   if (ggAtlas.w == 0.0) return vec3(0.0);
   vec3 d = direction / (abs(direction.x) + abs(direction.y) + abs(direction.z));
   vec2 p = d.y >= 0.0 ? d.xz : (1.0 - abs(d.zx)) * vec2(d.x < 0.0 ? -1.0 : 1.0, d.z < 0.0 ? -1.0 : 1.0);
-  // Levels are sqrt(2) apart in sigma from the first blurred one on; between two the mix keeps the variance.
+  // Levels are sqrt(2) apart in sigma from the first blurred one on; between two the mix keeps the variance. One of two neighbours is even,
+  // the other odd: one read of each atlas.
   int below = clamp(int(floor(1.0 + 2.0 * log2(max(sigma, 1e-6) / ggTiles[1].z))), 0, LEVELS - 2);
   float low = ggTiles[below].z * ggTiles[below].z, high = ggTiles[below + 1].z * ggTiles[below + 1].z;
   float share = clamp((sigma * sigma - low) / (high - low), 0.0, 1.0);
-  return ggAtlas.w * mix(ggLevel(below, p), ggLevel(below + 1, p), share);
+  int even = below + below % 2, odd = below + 1 - below % 2;
+  return ggAtlas.w * mix(ggTile(ggEnvironmentEven, ggAtlas.y, ggTiles[even], p), ggTile(ggEnvironmentOdd, ggAtlas.z, ggTiles[odd], p),
+    even == below ? share : 1.0 - share);
 }
 `;
 
@@ -88,7 +89,7 @@ const fragmentBody = /* glsl */`
     // The mean of the normal curvatures along two directions of the surface.
     float ggBend = 0.5 * (dot(ggTurnX, ggAlongX) / max(dot(ggAlongX, ggAlongX), 1e-20) + dot(ggTurnY, ggAlongY) / max(dot(ggAlongY, ggAlongY), 1e-20));
     vec3 ggLocal = abs((vec4(ggFace.n, 0.0) * modelMatrix).xyz) / (ggScale * ggScale);
-    ggFace.turn = (dot(ggTurnX, ggTurnX) + dot(ggTurnY, ggTurnY)) / 24.0; // evenly over a pixel: a twelfth of its width²
+    ggFace.turn = ggSampleArea * (dot(ggTurnX, ggTurnX) + dot(ggTurnY, ggTurnY)) / 24.0; // evenly over a pixel: a twelfth of its width²
     gg_ConvexBody ggBody;
     ggBody.ior = ggIor;
     ggBody.backAlpha = ggBackAlpha < 0.0 ? ggFace.alpha : ggBackAlpha;
@@ -293,6 +294,7 @@ export class Groundglass {
     // 'convex': every body is taken for a lens of its thickness; 'faces': with a pass for back faces; 'pairs': two passes more, for the far wall
     // of a hollow body and for glass behind glass.
     this.tier = 'faces';
+    this.samples = 1; // frames, each at another place of the pixel, that you average to one picture: lobes blur over so much less of it
     this.layers = [];
     this.environment = null;
   }
@@ -407,6 +409,7 @@ export class Groundglass {
     const glass = [];
     scene.traverseVisible((object) => { if (object.material?.isGroundglassMaterial) glass.push(object); });
     if (scene.environment !== this.environment) this.setEnvironment(scene.environment);
+    tables.ggSampleArea.value = 1 / this.samples;
     tables.ggAtlas.value.w = scene.environment ? scene.environmentIntensity : 0;
     drawing = true;
     try {

@@ -71,9 +71,10 @@ public:
     blur_environment(map);
   }
 
-  // Linear radiance, RGBA, the top row first. offset: see frame_of.
-  std::vector<float> draw(glm::vec2 offset) {
-    const FrameBlock frame = frame_of(scene_, environment_, width_, height_, offset, last_, false);
+  // Linear radiance, RGBA, the top row first. offset, samples: see frame_of.
+  std::vector<float> draw(glm::vec2 offset, int samples) {
+    const FrameBlock frame =
+        frame_of(scene_, environment_, width_, height_, offset, samples, last_, false);
     std::memcpy(blocks_.data, &frame, sizeof frame);
     draws_ = 0;
     buffer_ = begin();
