@@ -4,10 +4,12 @@
 #include "commands/commands.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/suggest.h"
 
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace gg::commands {
 
@@ -29,7 +31,10 @@ void add_kit(Command program) {
     const auto target = kit::target_named(options->target);
     if (!target)
       throw Error(ExitCode::usage, "--target " + options->target,
-                  "is nothing that a kit is made for", "Use three, webgl2, opengl or vulkan.");
+                  "is nothing that a kit is made for",
+                  did_you_mean(options->target,
+                               std::vector<std::string>{"three", "webgl2", "opengl", "vulkan"})
+                      + "Use three, webgl2, opengl or vulkan.");
     kit::write(*target, home_directory(), options->out);
     std::printf("%s: see README.md there\n", options->out.c_str());
   });

@@ -2,6 +2,7 @@
 #include "commands/commands.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/suggest.h"
 #include "snippet/print.h"
 
 #include <cstdio>
@@ -36,9 +37,12 @@ void add_snippet(Command program) {
     const auto shaders = home_directory() / "shaders";
     const auto target = snippet::target_named(options->target);
     if (!target)
-      throw Error(ExitCode::usage, "--target " + options->target,
-                  "is no shading language that snippets are printed in",
-                  "Use glsl, vulkan, essl, hlsl, msl, wgsl or cpp.");
+      throw Error(
+          ExitCode::usage, "--target " + options->target,
+          "is no shading language that snippets are printed in",
+          did_you_mean(options->target, std::vector<std::string>{"glsl", "vulkan", "essl", "hlsl",
+                                                                 "msl", "wgsl", "cpp"})
+              + "Use glsl, vulkan, essl, hlsl, msl, wgsl or cpp.");
     options->print.target = *target;
     if (!options->listed && options->explained.empty() && options->names.empty())
       throw Error(ExitCode::usage, "snippet", "needs a NAME, --list or --explain NAME",

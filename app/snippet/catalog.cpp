@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/suggest.h"
 #include "glsl/flatten.h"
 #include "snippet/scan.h"
 
@@ -38,11 +39,6 @@ Snippet read(const fs::path& shaders, const fs::path& file) {
   return snippet;
 }
 
-// Letters that two names share in order from their beginnings: enough to tell what may have been meant.
-std::size_t shared_letters(const std::string& a, const std::string& b) {
-  return static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
-}
-
 } // namespace
 
 std::vector<Snippet> catalog(const fs::path& shaders) {
@@ -57,15 +53,17 @@ const Snippet& find(const std::vector<Snippet>& snippets, const fs::path& shader
                     const std::string& name) {
   for (const Snippet& one : snippets)
     if (name == one.name || name == one.file || name + ".glsl" == one.file) return one;
-  std::string near;
-  for (const Snippet& one : snippets) {
-    for (const Item& item : items(read_text(shaders / one.file)))
+  std::vector<std::string>
+      names; // files before what they declare: of names as near, the first is meant
+  for (const Snippet& one : snippets)
+    names.push_back(one.name);
+  for (const Snippet& one : snippets)
+    for (const Item& item : items(read_text(shaders / one.file))) {
       if (item.name == name) return one;
-    if (shared_letters(name, one.name) > 2 || one.name.find(name) != std::string::npos)
-      near += (near.empty() ? "" : ", ") + one.name;
-  }
+      names.push_back(item.name);
+    }
   throw Error(ExitCode::usage, name, "is no snippet, and nothing that one declares",
-              near.empty() ? "See groundglass snippet --list." : "Near: " + near + ".");
+              did_you_mean(name, names) + "See groundglass snippet --list.");
 }
 
 } // namespace gg::snippet

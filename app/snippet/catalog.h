@@ -18,7 +18,7 @@ struct Snippet {
 std::vector<Snippet> catalog(const std::filesystem::path& shaders); // sorted by file
 
 // By stem ("ggx"), path ("bsdf/ggx" or "bsdf/ggx.glsl") or the name of something that the file declares ("ggxD"). Throws
-// Error(usage) with the names that are near if there is none.
+// Error(usage) with the nearest name if there is none.
 const Snippet& find(const std::vector<Snippet>& snippets, const std::filesystem::path& shaders,
                     const std::string& name);
 

@@ -68,8 +68,8 @@ FaceLayer leavingFaces(int layer, float number) {
   return which;
 }
 
-// Of both lobes, by the nearest back faces or, where they show none and `last` is SECOND_BACKS, by those behind: a ray that runs along
-// a wall comes out on the far side of a hollow body. Loops, so that a program has the search once: compilers inline it.
+// Of both lobes, by the nearest back faces or, where they show none and `last` is SECOND_BACKS, by those behind: a ray that runs
+// along a wall comes out on the far side of a hollow body. Loops, so that a program has the search once: compilers inline it.
 struct WaysOut {
   WayOut core;
   WayOut tail;

@@ -20,12 +20,10 @@ struct SceneView {
 
 struct SceneIntersection {
   float metres; // along the ray; below 0: it meets nothing that is known
+  float behind; // metres that the ray has passed behind what is seen there: how thick that is, nobody knows. 0 on its surface
   bool seen;    // false: the environment stands in
 };
 
-// A ray that passes behind what is seen meets it if it is no farther behind than this part of the scene's extent: how thick things
-// are is not known.
-const float SCENE_THICK = 0.05;
 const int SCENE_GUESSES = 4;
 const int SCENE_STEPS = 12;
 const int SCENE_SECANTS = 5;
@@ -39,6 +37,7 @@ vec2 scenePixel(vec4 clip, vec2 size) {
 SceneIntersection sceneGuess(vec4 origin, vec4 along, SceneView view) {
   SceneIntersection met;
   met.seen = false;
+  met.behind = 0.0;
   met.metres = -1.0;
   vec2 at = scenePixel(origin, view.size);
   for (int k = 0; k < SCENE_GUESSES && !met.seen; ++k) {
@@ -73,6 +72,7 @@ SceneIntersection sceneMarch(vec4 origin, vec4 along, SceneView view) {
   vec3 b = vec3(to.x, to.y, 1.0) / to.w;
   SceneIntersection met;
   met.seen = false;
+  met.behind = 0.0;
   met.metres = -1.0;
   float low = 0.0;
   float heightLow = 0.0;
@@ -116,8 +116,9 @@ SceneIntersection sceneMarch(vec4 origin, vec4 along, SceneView view) {
   float near = (1.0 - u) / origin.w;
   float far = u / to.w;
   met.metres = view.reach * end * far / (near + far);
+  met.seen = true;
   bool surface = heightLow - heightHigh < 0.5 * gap || gap < 1e-6;
-  met.seen = surface || 1.0 / max(near + far, 1e-30) - depth < SCENE_THICK * view.reach;
+  if (!surface) met.behind = max(1.0 / max(near + far, 1e-30) - depth, 0.0);
   return met;
 }
 

@@ -4,7 +4,8 @@
 // alpha    none; sigma, inner, carried: radians.
 // Returns  lobeRadiance: linear radiance of one lobe, >= 0.
 // Source   scene_intersection.glsl, screen_pyramid.glsl for the blur.
-// Limits   beyond the picture its border fades over one height of it into the environment.
+// Limits   beyond the picture its border fades over one height of it into the environment. What a ray passes behind it meets,
+//          blurred over as much as it is behind.
 #ifndef GG_REFRACTION_SCENE_LOOKUP_GLSL
 #define GG_REFRACTION_SCENE_LOOKUP_GLSL
 
@@ -22,7 +23,7 @@ vec3 lobeRadiance(ComposedLobe lobe, vec3 origin, float inside, SceneIntersectio
   if (met.seen && clip.w > 0.0) {
     vec3 fromEye = ends ? place - view.eye : lobe.direction;
     float range = length(fromEye);
-    float metres = sqrt(lobeVariance(lobe.sigma, lobe.carried, lobe.inner, inside, met.metres));
+    float metres = sqrt(lobeVariance(lobe.sigma, lobe.carried, lobe.inner, inside, met.metres) + met.behind * met.behind);
     float pixels = (ends ? metres / range : lobe.sigma) * pixelsPerRadian(view.focal, min(clip.w / range, 1.0));
     vec2 at = scenePixel(clip, view.size);
     vec2 outside = max(max(-at, at - view.size), vec2(0.0));

@@ -1,4 +1,4 @@
-// Made by shaders/wgsl/make of a6a8d8184ea467297a6680d257c4d2c304418067718819a89ace6519fd19efe9: do not edit.
+// Made by shaders/wgsl/make of 53ab087d43f9ba7e5703d35c22840c330c923c70318129d5339fe26dfc44e617: do not edit.
 struct Tilt {
     p: f32,
     z: f32,
@@ -200,6 +200,7 @@ struct SceneView {
 
 struct SceneIntersection {
     metres: f32,
+    behind: f32,
     seen: bool,
 }
 
@@ -333,7 +334,6 @@ const LEAVES_NEXT: f32 = 0.65f;
 const EXIT_NOWHERE: f32 = -2f;
 const EXIT_FAR: f32 = 1000000000000000000000000000000f;
 const EXIT_STEPS: i32 = 12i;
-const SCENE_THICK: f32 = 0.05f;
 const SCENE_GUESSES: i32 = 4i;
 const SCENE_STEPS: i32 = 12i;
 const SCENE_SECANTS: i32 = 5i;
@@ -352,7 +352,7 @@ const INTERFACE_LOBE_ALPHAS: i32 = 16i;
 const INTERFACE_SLICES: i32 = 13i;
 const INTERFACE_GREATEST_ETA: f32 = 4f;
 const SMOOTH_ALPHA: f32 = 0.001f;
-const SCATTERED_SEEN: f32 = 0.5f;
+const SCATTERED_SEEN: f32 = 0.25f;
 const THIN_WALL_COSINES: i32 = 25i;
 const THIN_WALL_ALPHAS: i32 = 16i;
 const THIN_WALL_SLICES: i32 = 13i;
@@ -6714,13 +6714,13 @@ fn scenePixel(clip_1: vec4<f32>, size_21: vec2<f32>) -> vec2<f32> {
 
     clip_2 = clip_1;
     size_22 = size_21;
-    let _e31 = clip_2;
-    let _e34 = clip_2;
-    let _e38 = size_22;
-    let _e43 = clip_2;
-    let _e46 = clip_2;
-    let _e50 = size_22;
-    return vec2<f32>(((0.5f + ((0.5f * _e31.x) / _e34.w)) * _e38.x), ((0.5f - ((0.5f * _e43.y) / _e46.w)) * _e50.y));
+    let _e30 = clip_2;
+    let _e33 = clip_2;
+    let _e37 = size_22;
+    let _e42 = clip_2;
+    let _e45 = clip_2;
+    let _e49 = size_22;
+    return vec2<f32>(((0.5f + ((0.5f * _e30.x) / _e33.w)) * _e37.x), ((0.5f - ((0.5f * _e42.y) / _e45.w)) * _e49.y));
 }
 
 fn sceneGuess(origin_4: vec4<f32>, along_10: vec4<f32>, view_11: SceneView) -> SceneIntersection {
@@ -6741,72 +6741,73 @@ fn sceneGuess(origin_4: vec4<f32>, along_10: vec4<f32>, view_11: SceneView) -> S
     along_11 = along_10;
     view_12 = view_11;
     met_1.seen = false;
+    met_1.behind = 0f;
     met_1.metres = -1f;
-    let _e37 = origin_5;
-    let _e38 = view_12;
-    let _e40 = scenePixel(_e37, _e38.size);
-    at_15 = _e40;
+    let _e38 = origin_5;
+    let _e39 = view_12;
+    let _e41 = scenePixel(_e38, _e39.size);
+    at_15 = _e41;
     loop {
-        let _e44 = k_22;
-        let _e46 = met_1;
-        if !(((_e44 < SCENE_GUESSES) && !(_e46.seen))) {
+        let _e45 = k_22;
+        let _e47 = met_1;
+        if !(((_e45 < SCENE_GUESSES) && !(_e47.seen))) {
             break;
         }
         {
-            let _e54 = at_15;
-            let _e55 = engineSceneDepth(_e54);
-            depth_7 = _e55;
-            let _e57 = depth_7;
-            sky = (_e57 > 100000000000000000000000000000f);
-            let _e62 = sky;
-            if _e62 {
+            let _e55 = at_15;
+            let _e56 = engineSceneDepth(_e55);
+            depth_7 = _e56;
+            let _e58 = depth_7;
+            sky = (_e58 > 100000000000000000000000000000f);
+            let _e63 = sky;
+            if _e63 {
                 local_77 = -1f;
             } else {
-                let _e65 = depth_7;
-                let _e66 = origin_5;
-                let _e69 = along_11;
-                local_77 = ((_e65 - _e66.w) / _e69.w);
+                let _e66 = depth_7;
+                let _e67 = origin_5;
+                let _e70 = along_11;
+                local_77 = ((_e66 - _e67.w) / _e70.w);
             }
-            let _e73 = local_77;
-            met_1.metres = _e73;
-            let _e74 = along_11;
-            let _e79 = sky;
-            let _e81 = met_1;
-            if (!((_e74.w > 0f)) || (!(_e79) && (_e81.metres < 0f))) {
+            let _e74 = local_77;
+            met_1.metres = _e74;
+            let _e75 = along_11;
+            let _e80 = sky;
+            let _e82 = met_1;
+            if (!((_e75.w > 0f)) || (!(_e80) && (_e82.metres < 0f))) {
                 break;
             }
-            let _e87 = sky;
-            if _e87 {
-                let _e88 = along_11;
-                local_78 = _e88;
+            let _e88 = sky;
+            if _e88 {
+                let _e89 = along_11;
+                local_78 = _e89;
             } else {
-                let _e89 = origin_5;
-                let _e90 = met_1;
-                let _e92 = along_11;
-                local_78 = (_e89 + (_e90.metres * _e92));
+                let _e90 = origin_5;
+                let _e91 = met_1;
+                let _e93 = along_11;
+                local_78 = (_e90 + (_e91.metres * _e93));
             }
-            let _e96 = local_78;
-            there = _e96;
-            let _e98 = there;
-            let _e99 = view_12;
-            let _e101 = scenePixel(_e98, _e99.size);
-            next = _e101;
-            let _e104 = k_22;
-            let _e107 = next;
-            let _e109 = at_15;
-            let _e116 = next;
-            let _e118 = at_15;
-            met_1.seen = (((_e104 > 0i) && (abs((_e107.x - _e109.x)) < 1f)) && (abs((_e116.y - _e118.y)) < 1f));
-            let _e125 = next;
-            at_15 = _e125;
+            let _e97 = local_78;
+            there = _e97;
+            let _e99 = there;
+            let _e100 = view_12;
+            let _e102 = scenePixel(_e99, _e100.size);
+            next = _e102;
+            let _e105 = k_22;
+            let _e108 = next;
+            let _e110 = at_15;
+            let _e117 = next;
+            let _e119 = at_15;
+            met_1.seen = (((_e105 > 0i) && (abs((_e108.x - _e110.x)) < 1f)) && (abs((_e117.y - _e119.y)) < 1f));
+            let _e126 = next;
+            at_15 = _e126;
         }
         continuing {
-            let _e51 = k_22;
-            k_22 = (_e51 + 1i);
+            let _e52 = k_22;
+            k_22 = (_e52 + 1i);
         }
     }
-    let _e126 = met_1;
-    return _e126;
+    let _e127 = met_1;
+    return _e127;
 }
 
 fn sceneShown(origin_6: vec4<f32>, way_4: vec4<f32>) -> f32 {
@@ -6819,38 +6820,38 @@ fn sceneShown(origin_6: vec4<f32>, way_4: vec4<f32>) -> f32 {
 
     origin_7 = origin_6;
     way_5 = way_4;
-    let _e29 = origin_7;
-    let _e31 = origin_7;
-    let _e34 = origin_7;
-    let _e36 = origin_7;
-    let _e39 = origin_7;
-    let _e41 = origin_7;
-    let _e44 = origin_7;
-    let _e46 = origin_7;
-    room_1 = max(vec4<f32>((_e29.w - _e31.x), (_e34.w + _e36.x), (_e39.w - _e41.y), (_e44.w + _e46.y)), vec4(0f));
-    let _e54 = way_5;
-    let _e56 = way_5;
-    let _e59 = way_5;
-    let _e62 = way_5;
-    let _e65 = way_5;
-    let _e67 = way_5;
-    let _e70 = way_5;
-    let _e73 = way_5;
-    loss = vec4<f32>((_e54.x - _e56.w), (-(_e59.x) - _e62.w), (_e65.y - _e67.w), (-(_e70.y) - _e73.w));
-    let _e78 = room_1;
-    let _e79 = loss;
-    let _e80 = room_1;
-    cut = min((_e78 / max(max(_e79, _e80), vec4(0.000000000000000000000000000001f))), vec4(1f));
-    let _e90 = cut;
-    let _e92 = cut;
-    let _e95 = cut;
-    let _e97 = cut;
-    end = min(min(_e90.x, _e92.y), min(_e95.z, _e97.w));
-    let _e102 = end;
-    let _e104 = origin_7;
-    let _e107 = way_5;
-    let _e111 = origin_7;
-    return min(_e102, ((0.99f * _e104.w) / max(-(_e107.w), (0.99f * _e111.w))));
+    let _e28 = origin_7;
+    let _e30 = origin_7;
+    let _e33 = origin_7;
+    let _e35 = origin_7;
+    let _e38 = origin_7;
+    let _e40 = origin_7;
+    let _e43 = origin_7;
+    let _e45 = origin_7;
+    room_1 = max(vec4<f32>((_e28.w - _e30.x), (_e33.w + _e35.x), (_e38.w - _e40.y), (_e43.w + _e45.y)), vec4(0f));
+    let _e53 = way_5;
+    let _e55 = way_5;
+    let _e58 = way_5;
+    let _e61 = way_5;
+    let _e64 = way_5;
+    let _e66 = way_5;
+    let _e69 = way_5;
+    let _e72 = way_5;
+    loss = vec4<f32>((_e53.x - _e55.w), (-(_e58.x) - _e61.w), (_e64.y - _e66.w), (-(_e69.y) - _e72.w));
+    let _e77 = room_1;
+    let _e78 = loss;
+    let _e79 = room_1;
+    cut = min((_e77 / max(max(_e78, _e79), vec4(0.000000000000000000000000000001f))), vec4(1f));
+    let _e89 = cut;
+    let _e91 = cut;
+    let _e94 = cut;
+    let _e96 = cut;
+    end = min(min(_e89.x, _e91.y), min(_e94.z, _e96.w));
+    let _e101 = end;
+    let _e103 = origin_7;
+    let _e106 = way_5;
+    let _e110 = origin_7;
+    return min(_e101, ((0.99f * _e103.w) / max(-(_e106.w), (0.99f * _e110.w))));
 }
 
 fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> SceneIntersection {
@@ -6894,214 +6895,217 @@ fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> S
     origin_9 = origin_8;
     along_13 = along_12;
     view_14 = view_13;
-    let _e31 = view_14;
-    let _e33 = along_13;
-    way_6 = (_e31.reach * _e33);
-    let _e36 = origin_9;
-    let _e37 = way_6;
-    let _e38 = sceneShown(_e36, _e37);
-    end_1 = _e38;
-    let _e40 = origin_9;
-    let _e41 = end_1;
-    let _e42 = way_6;
-    to = (_e40 + (_e41 * _e42));
-    let _e46 = origin_9;
-    let _e48 = origin_9;
-    let _e52 = origin_9;
-    a_32 = (vec3<f32>(_e46.x, _e48.y, 1f) / vec3(_e52.w));
-    let _e57 = to;
-    let _e59 = to;
-    let _e63 = to;
-    b_22 = (vec3<f32>(_e57.x, _e59.y, 1f) / vec3(_e63.w));
+    let _e30 = view_14;
+    let _e32 = along_13;
+    way_6 = (_e30.reach * _e32);
+    let _e35 = origin_9;
+    let _e36 = way_6;
+    let _e37 = sceneShown(_e35, _e36);
+    end_1 = _e37;
+    let _e39 = origin_9;
+    let _e40 = end_1;
+    let _e41 = way_6;
+    to = (_e39 + (_e40 * _e41));
+    let _e45 = origin_9;
+    let _e47 = origin_9;
+    let _e51 = origin_9;
+    a_32 = (vec3<f32>(_e45.x, _e47.y, 1f) / vec3(_e51.w));
+    let _e56 = to;
+    let _e58 = to;
+    let _e62 = to;
+    b_22 = (vec3<f32>(_e56.x, _e58.y, 1f) / vec3(_e62.w));
     met_2.seen = false;
+    met_2.behind = 0f;
     met_2.metres = -1f;
     loop {
-        let _e88 = k_23;
-        let _e90 = crossed;
-        if !(((_e88 <= SCENE_STEPS) && !(_e90))) {
+        let _e89 = k_23;
+        let _e91 = crossed;
+        if !(((_e89 <= SCENE_STEPS) && !(_e91))) {
             break;
         }
         {
-            let _e97 = k_23;
-            high_2 = (f32(_e97) / 12f);
-            let _e102 = a_32;
-            let _e103 = b_22;
-            let _e104 = high_2;
-            p_8 = mix(_e102, _e103, vec3(_e104));
-            let _e110 = p_8;
-            let _e114 = view_14;
-            let _e120 = p_8;
-            let _e124 = view_14;
-            let _e129 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e110.x)) * _e114.size.x), ((0.5f - (0.5f * _e120.y)) * _e124.size.y)));
-            depth_8 = _e129;
-            let _e130 = p_8;
-            let _e133 = depth_8;
-            heightHigh = (_e130.z - (1f / _e133));
-            let _e136 = heightHigh;
-            let _e139 = k_23;
-            let _e142 = heightLow;
-            crossed = ((_e136 < 0f) && ((_e139 == 1i) || (_e142 >= 0f)));
-            let _e147 = crossed;
-            if !(_e147) {
+            let _e98 = k_23;
+            high_2 = (f32(_e98) / 12f);
+            let _e103 = a_32;
+            let _e104 = b_22;
+            let _e105 = high_2;
+            p_8 = mix(_e103, _e104, vec3(_e105));
+            let _e111 = p_8;
+            let _e115 = view_14;
+            let _e121 = p_8;
+            let _e125 = view_14;
+            let _e130 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e111.x)) * _e115.size.x), ((0.5f - (0.5f * _e121.y)) * _e125.size.y)));
+            depth_8 = _e130;
+            let _e131 = p_8;
+            let _e134 = depth_8;
+            heightHigh = (_e131.z - (1f / _e134));
+            let _e137 = heightHigh;
+            let _e140 = k_23;
+            let _e143 = heightLow;
+            crossed = ((_e137 < 0f) && ((_e140 == 1i) || (_e143 >= 0f)));
+            let _e148 = crossed;
+            if !(_e148) {
                 {
-                    let _e149 = high_2;
-                    low_7 = _e149;
-                    let _e150 = heightHigh;
-                    heightLow = _e150;
+                    let _e150 = high_2;
+                    low_7 = _e150;
+                    let _e151 = heightHigh;
+                    heightLow = _e151;
                 }
             }
         }
         continuing {
-            let _e94 = k_23;
-            k_23 = (_e94 + 1i);
+            let _e95 = k_23;
+            k_23 = (_e95 + 1i);
         }
     }
-    let _e151 = crossed;
-    if !(_e151) {
+    let _e152 = crossed;
+    if !(_e152) {
         {
-            let _e153 = depth_8;
-            let _e154 = origin_9;
-            let _e157 = along_13;
-            beyond = ((_e153 - _e154.w) / _e157.w);
-            let _e161 = end_1;
-            let _e164 = depth_8;
-            let _e168 = heightHigh;
-            let _e172 = beyond;
-            bordered = ((((_e161 < 1f) && (_e164 < 100000000000000000000000000000f)) && (_e168 >= 0f)) && (_e172 > 0f));
-            let _e178 = bordered;
-            if _e178 {
-                let _e179 = beyond;
-                local_79 = _e179;
+            let _e154 = depth_8;
+            let _e155 = origin_9;
+            let _e158 = along_13;
+            beyond = ((_e154 - _e155.w) / _e158.w);
+            let _e162 = end_1;
+            let _e165 = depth_8;
+            let _e169 = heightHigh;
+            let _e173 = beyond;
+            bordered = ((((_e162 < 1f) && (_e165 < 100000000000000000000000000000f)) && (_e169 >= 0f)) && (_e173 > 0f));
+            let _e179 = bordered;
+            if _e179 {
+                let _e180 = beyond;
+                local_79 = _e180;
             } else {
                 local_79 = -1f;
             }
-            let _e183 = local_79;
-            met_2.metres = _e183;
-            let _e185 = bordered;
-            let _e186 = heightHigh;
-            let _e189 = depth_8;
-            let _e193 = along_13;
-            met_2.seen = (_e185 || (((_e186 >= 0f) && (_e189 > 100000000000000000000000000000f)) && (_e193.w > 0f)));
-            let _e199 = met_2;
-            return _e199;
+            let _e184 = local_79;
+            met_2.metres = _e184;
+            let _e186 = bordered;
+            let _e187 = heightHigh;
+            let _e190 = depth_8;
+            let _e194 = along_13;
+            met_2.seen = (_e186 || (((_e187 >= 0f) && (_e190 > 100000000000000000000000000000f)) && (_e194.w > 0f)));
+            let _e200 = met_2;
+            return _e200;
         }
     }
-    let _e200 = heightLow;
-    let _e201 = heightHigh;
-    gap = max((_e200 - _e201), 0.000000000000000000000000000001f);
+    let _e201 = heightLow;
+    let _e202 = heightHigh;
+    gap = max((_e201 - _e202), 0.000000000000000000000000000001f);
     loop {
-        let _e208 = k_24;
-        if !((_e208 < SCENE_SECANTS)) {
+        let _e209 = k_24;
+        if !((_e209 < SCENE_SECANTS)) {
             break;
         }
         {
-            let _e214 = k_24;
-            if ((_e214 % 2i) == 0i) {
+            let _e215 = k_24;
+            if ((_e215 % 2i) == 0i) {
                 local_80 = 0.5f;
             } else {
-                let _e220 = heightLow;
                 let _e221 = heightLow;
-                let _e222 = heightHigh;
-                local_80 = (_e220 / max((_e221 - _e222), 0.000000000000000000000000000001f));
+                let _e222 = heightLow;
+                let _e223 = heightHigh;
+                local_80 = (_e221 / max((_e222 - _e223), 0.000000000000000000000000000001f));
             }
-            let _e228 = local_80;
-            share_3 = _e228;
-            let _e230 = low_7;
-            let _e231 = high_2;
-            let _e232 = share_3;
-            u_17 = mix(_e230, _e231, clamp(_e232, 0f, 1f));
-            let _e238 = a_32;
-            let _e239 = b_22;
-            let _e240 = u_17;
-            p_9 = mix(_e238, _e239, vec3(_e240));
-            let _e246 = p_9;
-            let _e250 = view_14;
-            let _e256 = p_9;
-            let _e260 = view_14;
-            let _e265 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e246.x)) * _e250.size.x), ((0.5f - (0.5f * _e256.y)) * _e260.size.y)));
-            depth_8 = _e265;
-            let _e266 = p_9;
-            let _e269 = depth_8;
-            height_2 = (_e266.z - (1f / _e269));
-            let _e273 = height_2;
-            front = (_e273 >= 0f);
-            let _e277 = front;
-            if _e277 {
-                let _e278 = u_17;
-                local_81 = _e278;
-            } else {
-                let _e279 = low_7;
+            let _e229 = local_80;
+            share_3 = _e229;
+            let _e231 = low_7;
+            let _e232 = high_2;
+            let _e233 = share_3;
+            u_17 = mix(_e231, _e232, clamp(_e233, 0f, 1f));
+            let _e239 = a_32;
+            let _e240 = b_22;
+            let _e241 = u_17;
+            p_9 = mix(_e239, _e240, vec3(_e241));
+            let _e247 = p_9;
+            let _e251 = view_14;
+            let _e257 = p_9;
+            let _e261 = view_14;
+            let _e266 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e247.x)) * _e251.size.x), ((0.5f - (0.5f * _e257.y)) * _e261.size.y)));
+            depth_8 = _e266;
+            let _e267 = p_9;
+            let _e270 = depth_8;
+            height_2 = (_e267.z - (1f / _e270));
+            let _e274 = height_2;
+            front = (_e274 >= 0f);
+            let _e278 = front;
+            if _e278 {
+                let _e279 = u_17;
                 local_81 = _e279;
-            }
-            let _e281 = local_81;
-            low_7 = _e281;
-            let _e282 = front;
-            if _e282 {
-                let _e283 = height_2;
-                local_82 = _e283;
             } else {
-                let _e284 = heightLow;
+                let _e280 = low_7;
+                local_81 = _e280;
+            }
+            let _e282 = local_81;
+            low_7 = _e282;
+            let _e283 = front;
+            if _e283 {
+                let _e284 = height_2;
                 local_82 = _e284;
-            }
-            let _e286 = local_82;
-            heightLow = _e286;
-            let _e287 = front;
-            if _e287 {
-                let _e288 = high_2;
-                local_83 = _e288;
             } else {
-                let _e289 = u_17;
+                let _e285 = heightLow;
+                local_82 = _e285;
+            }
+            let _e287 = local_82;
+            heightLow = _e287;
+            let _e288 = front;
+            if _e288 {
+                let _e289 = high_2;
                 local_83 = _e289;
-            }
-            let _e291 = local_83;
-            high_2 = _e291;
-            let _e292 = front;
-            if _e292 {
-                let _e293 = heightHigh;
-                local_84 = _e293;
             } else {
-                let _e294 = height_2;
-                local_84 = _e294;
+                let _e290 = u_17;
+                local_83 = _e290;
             }
-            let _e296 = local_84;
-            heightHigh = _e296;
+            let _e292 = local_83;
+            high_2 = _e292;
+            let _e293 = front;
+            if _e293 {
+                let _e294 = heightHigh;
+                local_84 = _e294;
+            } else {
+                let _e295 = height_2;
+                local_84 = _e295;
+            }
+            let _e297 = local_84;
+            heightHigh = _e297;
         }
         continuing {
-            let _e211 = k_24;
-            k_24 = (_e211 + 1i);
+            let _e212 = k_24;
+            k_24 = (_e212 + 1i);
         }
     }
-    let _e297 = low_7;
-    let _e298 = high_2;
-    let _e299 = heightLow;
+    let _e298 = low_7;
+    let _e299 = high_2;
     let _e300 = heightLow;
-    let _e301 = heightHigh;
-    u_18 = mix(_e297, _e298, (_e299 / max((_e300 - _e301), 0.000000000000000000000000000001f)));
-    let _e309 = u_18;
-    let _e311 = origin_9;
-    near = ((1f - _e309) / _e311.w);
-    let _e315 = u_18;
-    let _e316 = to;
-    far = (_e315 / _e316.w);
-    let _e321 = view_14;
-    let _e323 = end_1;
-    let _e325 = far;
-    let _e327 = near;
-    let _e328 = far;
-    met_2.metres = (((_e321.reach * _e323) * _e325) / (_e327 + _e328));
-    let _e331 = heightLow;
-    let _e332 = heightHigh;
-    let _e335 = gap;
+    let _e301 = heightLow;
+    let _e302 = heightHigh;
+    u_18 = mix(_e298, _e299, (_e300 / max((_e301 - _e302), 0.000000000000000000000000000001f)));
+    let _e310 = u_18;
+    let _e312 = origin_9;
+    near = ((1f - _e310) / _e312.w);
+    let _e316 = u_18;
+    let _e317 = to;
+    far = (_e316 / _e317.w);
+    let _e322 = view_14;
+    let _e324 = end_1;
+    let _e326 = far;
+    let _e328 = near;
+    let _e329 = far;
+    met_2.metres = (((_e322.reach * _e324) * _e326) / (_e328 + _e329));
+    met_2.seen = true;
+    let _e334 = heightLow;
+    let _e335 = heightHigh;
     let _e338 = gap;
-    surface_6 = (((_e331 - _e332) < (0.5f * _e335)) || (_e338 < 0.000001f));
-    let _e344 = surface_6;
-    let _e346 = near;
-    let _e347 = far;
-    let _e352 = depth_8;
-    let _e354 = view_14;
-    met_2.seen = (_e344 || (((1f / max((_e346 + _e347), 0.000000000000000000000000000001f)) - _e352) < (SCENE_THICK * _e354.reach)));
-    let _e359 = met_2;
-    return _e359;
+    let _e341 = gap;
+    surface_6 = (((_e334 - _e335) < (0.5f * _e338)) || (_e341 < 0.000001f));
+    let _e346 = surface_6;
+    if !(_e346) {
+        let _e350 = near;
+        let _e351 = far;
+        let _e356 = depth_8;
+        met_2.behind = max(((1f / max((_e350 + _e351), 0.000000000000000000000000000001f)) - _e356), 0f);
+    }
+    let _e360 = met_2;
+    return _e360;
 }
 
 fn sceneIntersection(origin_10: vec3<f32>, direction_18: vec3<f32>, view_15: SceneView) -> SceneIntersection {
@@ -7115,27 +7119,27 @@ fn sceneIntersection(origin_10: vec3<f32>, direction_18: vec3<f32>, view_15: Sce
     origin_11 = origin_10;
     direction_19 = direction_18;
     view_16 = view_15;
-    let _e31 = view_16;
-    let _e33 = origin_11;
-    from_ = (_e31.clipFromWorld * vec4<f32>(_e33.x, _e33.y, _e33.z, 1f));
-    let _e41 = view_16;
-    let _e43 = direction_19;
-    along_14 = (_e41.clipFromWorld * vec4<f32>(_e43.x, _e43.y, _e43.z, 0f));
-    let _e51 = from_;
-    let _e52 = along_14;
-    let _e53 = view_16;
-    let _e54 = sceneGuess(_e51, _e52, _e53);
-    met_3 = _e54;
-    let _e56 = met_3;
-    if !(_e56.seen) {
-        let _e59 = from_;
-        let _e60 = along_14;
-        let _e61 = view_16;
-        let _e62 = sceneMarch(_e59, _e60, _e61);
-        met_3 = _e62;
+    let _e30 = view_16;
+    let _e32 = origin_11;
+    from_ = (_e30.clipFromWorld * vec4<f32>(_e32.x, _e32.y, _e32.z, 1f));
+    let _e40 = view_16;
+    let _e42 = direction_19;
+    along_14 = (_e40.clipFromWorld * vec4<f32>(_e42.x, _e42.y, _e42.z, 0f));
+    let _e50 = from_;
+    let _e51 = along_14;
+    let _e52 = view_16;
+    let _e53 = sceneGuess(_e50, _e51, _e52);
+    met_3 = _e53;
+    let _e55 = met_3;
+    if !(_e55.seen) {
+        let _e58 = from_;
+        let _e59 = along_14;
+        let _e60 = view_16;
+        let _e61 = sceneMarch(_e58, _e59, _e60);
+        met_3 = _e61;
     }
-    let _e63 = met_3;
-    return _e63;
+    let _e62 = met_3;
+    return _e62;
 }
 
 fn engineFace(layer: i32, at_16: vec2<f32>) -> vec4<f32> {
@@ -7158,42 +7162,42 @@ fn pixelStep(view_17: SceneView, axis_1: i32) -> vec3<f32> {
 
     view_18 = view_17;
     axis_2 = axis_1;
-    let _e38 = view_18.clipFromWorld[0][3];
-    let _e44 = view_18.clipFromWorld[1][3];
-    let _e50 = view_18.clipFromWorld[2][3];
-    forward = vec3<f32>(_e38, _e44, _e50);
-    let _e53 = axis_2;
-    if (_e53 == 0i) {
-        let _e61 = view_18.clipFromWorld[0][0];
-        let _e67 = view_18.clipFromWorld[1][0];
-        let _e73 = view_18.clipFromWorld[2][0];
-        local_85 = vec3<f32>(_e61, _e67, _e73);
+    let _e37 = view_18.clipFromWorld[0][3];
+    let _e43 = view_18.clipFromWorld[1][3];
+    let _e49 = view_18.clipFromWorld[2][3];
+    forward = vec3<f32>(_e37, _e43, _e49);
+    let _e52 = axis_2;
+    if (_e52 == 0i) {
+        let _e60 = view_18.clipFromWorld[0][0];
+        let _e66 = view_18.clipFromWorld[1][0];
+        let _e72 = view_18.clipFromWorld[2][0];
+        local_85 = vec3<f32>(_e60, _e66, _e72);
     } else {
-        let _e80 = view_18.clipFromWorld[0][1];
-        let _e86 = view_18.clipFromWorld[1][1];
-        let _e92 = view_18.clipFromWorld[2][1];
-        local_85 = vec3<f32>(_e80, _e86, _e92);
+        let _e79 = view_18.clipFromWorld[0][1];
+        let _e85 = view_18.clipFromWorld[1][1];
+        let _e91 = view_18.clipFromWorld[2][1];
+        local_85 = vec3<f32>(_e79, _e85, _e91);
     }
-    let _e95 = local_85;
-    row = _e95;
+    let _e94 = local_85;
+    row = _e94;
+    let _e96 = row;
     let _e97 = row;
-    let _e98 = row;
-    let _e99 = forward;
-    let _e101 = forward;
-    across_11 = (_e97 - (dot(_e98, _e99) * _e101));
-    let _e105 = axis_2;
-    if (_e105 == 0i) {
-        let _e109 = view_18;
-        local_86 = (2f / _e109.size.x);
+    let _e98 = forward;
+    let _e100 = forward;
+    across_11 = (_e96 - (dot(_e97, _e98) * _e100));
+    let _e104 = axis_2;
+    if (_e104 == 0i) {
+        let _e108 = view_18;
+        local_86 = (2f / _e108.size.x);
     } else {
-        let _e115 = view_18;
-        local_86 = (-2f / _e115.size.y);
+        let _e114 = view_18;
+        local_86 = (-2f / _e114.size.y);
     }
-    let _e120 = local_86;
+    let _e119 = local_86;
+    let _e120 = across_11;
     let _e121 = across_11;
-    let _e122 = across_11;
-    let _e125 = across_11;
-    return ((_e120 / dot(_e121, _e122)) * _e125);
+    let _e124 = across_11;
+    return ((_e119 / dot(_e120, _e121)) * _e124);
 }
 
 fn backFaceAt(at_18: vec2<f32>, p_10: vec3<f32>, w_27: f32, which: FaceLayer, view_19: SceneView) -> BackFace {
@@ -7212,48 +7216,48 @@ fn backFaceAt(at_18: vec2<f32>, p_10: vec3<f32>, w_27: f32, which: FaceLayer, vi
     w_28 = w_27;
     which_1 = which;
     view_20 = view_19;
-    let _e39 = which_1;
-    let _e41 = at_19;
-    let _e42 = engineFace(_e39.layer, _e41);
-    texel_4 = _e42;
-    let _e44 = at_19;
-    let _e49 = at_19;
-    off_1 = ((floor(_e44) + vec2(0.5f)) - _e49);
-    let _e54 = view_20;
-    let _e56 = p_11;
-    let _e57 = view_20;
-    let _e60 = texel_4;
-    let _e62 = w_28;
-    let _e66 = texel_4;
-    let _e68 = off_1;
-    let _e70 = view_20;
-    let _e72 = pixelStep(_e70, 0i);
-    let _e74 = off_1;
-    let _e76 = view_20;
-    let _e78 = pixelStep(_e76, 1i);
-    face_6.point = ((_e54.eye + ((_e56 - _e57.eye) * (_e60.z / _e62))) + (_e66.z * ((_e68.x * _e72) + (_e74.y * _e78))));
-    let _e84 = which_1;
-    let _e86 = texel_4;
-    let _e88 = texel_4;
-    let _e91 = octDecode(vec2<f32>(_e86.x, _e88.y));
-    face_6.n = (_e84.side * _e91);
-    let _e95 = texel_4;
-    face_6.alpha = (2f * fract(_e95.w));
-    let _e100 = texel_4;
-    face_6.number = floor(_e100.w);
-    let _e104 = which_1;
-    if (_e104.number < 0f) {
-        let _e108 = face_6;
-        local_87 = (_e108.number > 0f);
+    let _e38 = which_1;
+    let _e40 = at_19;
+    let _e41 = engineFace(_e38.layer, _e40);
+    texel_4 = _e41;
+    let _e43 = at_19;
+    let _e48 = at_19;
+    off_1 = ((floor(_e43) + vec2(0.5f)) - _e48);
+    let _e53 = view_20;
+    let _e55 = p_11;
+    let _e56 = view_20;
+    let _e59 = texel_4;
+    let _e61 = w_28;
+    let _e65 = texel_4;
+    let _e67 = off_1;
+    let _e69 = view_20;
+    let _e71 = pixelStep(_e69, 0i);
+    let _e73 = off_1;
+    let _e75 = view_20;
+    let _e77 = pixelStep(_e75, 1i);
+    face_6.point = ((_e53.eye + ((_e55 - _e56.eye) * (_e59.z / _e61))) + (_e65.z * ((_e67.x * _e71) + (_e73.y * _e77))));
+    let _e83 = which_1;
+    let _e85 = texel_4;
+    let _e87 = texel_4;
+    let _e90 = octDecode(vec2<f32>(_e85.x, _e87.y));
+    face_6.n = (_e83.side * _e90);
+    let _e94 = texel_4;
+    face_6.alpha = (2f * fract(_e94.w));
+    let _e99 = texel_4;
+    face_6.number = floor(_e99.w);
+    let _e103 = which_1;
+    if (_e103.number < 0f) {
+        let _e107 = face_6;
+        local_87 = (_e107.number > 0f);
     } else {
-        let _e112 = face_6;
-        let _e114 = which_1;
-        local_87 = (_e112.number == _e114.number);
+        let _e111 = face_6;
+        let _e113 = which_1;
+        local_87 = (_e111.number == _e113.number);
     }
-    let _e118 = local_87;
-    face_6.exists = _e118;
-    let _e119 = face_6;
-    return _e119;
+    let _e117 = local_87;
+    face_6.exists = _e117;
+    let _e118 = face_6;
+    return _e118;
 }
 
 fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, w_29: f32, which_2: FaceLayer, view_21: SceneView) -> BackFace {
@@ -7271,25 +7275,25 @@ fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, w_29: f32, w
     w_30 = w_29;
     which_3 = which_2;
     view_22 = view_21;
-    let _e41 = at_21;
-    let _e42 = p_13;
-    let _e43 = w_30;
-    let _e44 = which_3;
-    let _e45 = view_22;
-    let _e46 = backFaceAt(_e41, _e42, _e43, _e44, _e45);
-    beside_5 = _e46;
-    let _e48 = beside_5;
-    let _e50 = own_1;
-    let _e52 = own_1;
-    let _e54 = beside_5;
-    let _e56 = beside_5;
-    let _e58 = exitSame(_e50.point, _e52.n, _e54.point, _e56.n);
-    if (_e48.exists && _e58) {
-        let _e60 = beside_5;
-        return _e60;
+    let _e40 = at_21;
+    let _e41 = p_13;
+    let _e42 = w_30;
+    let _e43 = which_3;
+    let _e44 = view_22;
+    let _e45 = backFaceAt(_e40, _e41, _e42, _e43, _e44);
+    beside_5 = _e45;
+    let _e47 = beside_5;
+    let _e49 = own_1;
+    let _e51 = own_1;
+    let _e53 = beside_5;
+    let _e55 = beside_5;
+    let _e57 = exitSame(_e49.point, _e51.n, _e53.point, _e55.n);
+    if (_e47.exists && _e57) {
+        let _e59 = beside_5;
+        return _e59;
     }
-    let _e61 = own_1;
-    return _e61;
+    let _e60 = own_1;
+    return _e60;
 }
 
 fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec3<f32>, w_31: f32, which_4: FaceLayer, origin_12: vec3<f32>, direction_20: vec3<f32>, view_23: SceneView) -> BackFaceExit {
@@ -7318,73 +7322,73 @@ fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec
     origin_13 = origin_12;
     direction_21 = direction_20;
     view_24 = view_23;
-    let _e47 = face_8;
-    let _e48 = at_23;
-    let _e53 = p_15;
-    let _e54 = w_32;
-    let _e55 = view_24;
-    let _e57 = pixelStep(_e55, 0i);
-    let _e60 = w_32;
-    let _e61 = which_5;
-    let _e62 = view_24;
-    let _e63 = backFaceBeside(_e47, (_e48 + vec2<f32>(1f, 0f)), (_e53 + (_e54 * _e57)), _e60, _e61, _e62);
-    right_2 = _e63;
-    let _e65 = face_8;
-    let _e66 = at_23;
-    let _e71 = p_15;
-    let _e72 = w_32;
-    let _e73 = view_24;
-    let _e75 = pixelStep(_e73, 1i);
-    let _e78 = w_32;
-    let _e79 = which_5;
-    let _e80 = view_24;
-    let _e81 = backFaceBeside(_e65, (_e66 + vec2<f32>(0f, 1f)), (_e71 + (_e72 * _e75)), _e78, _e79, _e80);
-    below_6 = _e81;
-    let _e83 = hit_1;
-    let _e84 = at_23;
-    off_2 = ((_e83 - floor(_e84)) - vec2(0.5f));
-    let _e95 = face_8;
-    let _e97 = off_2;
-    let _e99 = right_2;
-    let _e101 = face_8;
-    let _e106 = off_2;
-    let _e108 = below_6;
-    let _e110 = face_8;
-    found_2.exit.surface.n = normalize(((_e95.n + (_e97.x * (_e99.n - _e101.n))) + (_e106.y * (_e108.n - _e110.n))));
-    let _e119 = face_8;
-    found_2.exit.surface.alpha = _e119.alpha;
-    let _e123 = origin_13;
-    let _e124 = direction_21;
-    let _e125 = face_8;
-    let _e127 = face_8;
-    let _e129 = exitPlane(_e123, _e124, _e125.point, _e127.n);
-    found_2.exit.path = _e129;
-    let _e131 = face_8;
-    found_2.number = _e131.number;
-    let _e133 = direction_21;
-    let _e134 = found_2;
-    cosTheta_38 = dot(_e133, _e134.exit.surface.n);
-    let _e140 = face_8;
-    let _e142 = direction_21;
-    let _e143 = right_2;
-    let _e145 = face_8;
-    let _e148 = right_2;
-    let _e150 = face_8;
-    let _e153 = below_6;
-    let _e155 = face_8;
-    let _e158 = below_6;
-    let _e160 = face_8;
-    let _e163 = exitCurvature(_e140.n, _e142, (_e143.point - _e145.point), (_e148.n - _e150.n), (_e153.point - _e155.point), (_e158.n - _e160.n));
-    curvature_4 = _e163;
-    let _e168 = cosTheta_38;
-    let _e169 = found_2;
-    let _e172 = curvature_4;
-    let _e173 = exitTurn(_e168, _e169.exit.path, _e172);
-    found_2.exit.surface.turn = _e173;
-    let _e175 = cosTheta_38;
-    found_2.found = (_e175 > 0f);
-    let _e178 = found_2;
-    return _e178;
+    let _e46 = face_8;
+    let _e47 = at_23;
+    let _e52 = p_15;
+    let _e53 = w_32;
+    let _e54 = view_24;
+    let _e56 = pixelStep(_e54, 0i);
+    let _e59 = w_32;
+    let _e60 = which_5;
+    let _e61 = view_24;
+    let _e62 = backFaceBeside(_e46, (_e47 + vec2<f32>(1f, 0f)), (_e52 + (_e53 * _e56)), _e59, _e60, _e61);
+    right_2 = _e62;
+    let _e64 = face_8;
+    let _e65 = at_23;
+    let _e70 = p_15;
+    let _e71 = w_32;
+    let _e72 = view_24;
+    let _e74 = pixelStep(_e72, 1i);
+    let _e77 = w_32;
+    let _e78 = which_5;
+    let _e79 = view_24;
+    let _e80 = backFaceBeside(_e64, (_e65 + vec2<f32>(0f, 1f)), (_e70 + (_e71 * _e74)), _e77, _e78, _e79);
+    below_6 = _e80;
+    let _e82 = hit_1;
+    let _e83 = at_23;
+    off_2 = ((_e82 - floor(_e83)) - vec2(0.5f));
+    let _e94 = face_8;
+    let _e96 = off_2;
+    let _e98 = right_2;
+    let _e100 = face_8;
+    let _e105 = off_2;
+    let _e107 = below_6;
+    let _e109 = face_8;
+    found_2.exit.surface.n = normalize(((_e94.n + (_e96.x * (_e98.n - _e100.n))) + (_e105.y * (_e107.n - _e109.n))));
+    let _e118 = face_8;
+    found_2.exit.surface.alpha = _e118.alpha;
+    let _e122 = origin_13;
+    let _e123 = direction_21;
+    let _e124 = face_8;
+    let _e126 = face_8;
+    let _e128 = exitPlane(_e122, _e123, _e124.point, _e126.n);
+    found_2.exit.path = _e128;
+    let _e130 = face_8;
+    found_2.number = _e130.number;
+    let _e132 = direction_21;
+    let _e133 = found_2;
+    cosTheta_38 = dot(_e132, _e133.exit.surface.n);
+    let _e139 = face_8;
+    let _e141 = direction_21;
+    let _e142 = right_2;
+    let _e144 = face_8;
+    let _e147 = right_2;
+    let _e149 = face_8;
+    let _e152 = below_6;
+    let _e154 = face_8;
+    let _e157 = below_6;
+    let _e159 = face_8;
+    let _e162 = exitCurvature(_e139.n, _e141, (_e142.point - _e144.point), (_e147.n - _e149.n), (_e152.point - _e154.point), (_e157.n - _e159.n));
+    curvature_4 = _e162;
+    let _e167 = cosTheta_38;
+    let _e168 = found_2;
+    let _e171 = curvature_4;
+    let _e172 = exitTurn(_e167, _e168.exit.path, _e171);
+    found_2.exit.surface.turn = _e172;
+    let _e174 = cosTheta_38;
+    found_2.found = (_e174 > 0f);
+    let _e177 = found_2;
+    return _e177;
 }
 
 fn noBackFace(direction_22: vec3<f32>, eta_44: f32) -> BackFaceExit {
@@ -7394,17 +7398,17 @@ fn noBackFace(direction_22: vec3<f32>, eta_44: f32) -> BackFaceExit {
 
     direction_23 = direction_22;
     eta_45 = eta_44;
-    let _e37 = direction_23;
-    none.exit.surface.n = _e37;
+    let _e36 = direction_23;
+    none.exit.surface.n = _e36;
     none.exit.surface.alpha = 0f;
     none.exit.surface.turn = vec2(0f);
-    let _e50 = eta_45;
-    none.exit.surface.eta = _e50;
+    let _e49 = eta_45;
+    none.exit.surface.eta = _e49;
     none.exit.path = 0f;
     none.number = 0f;
     none.found = false;
-    let _e58 = none;
-    return _e58;
+    let _e57 = none;
+    return _e57;
 }
 
 fn backFaceExit(origin_14: vec3<f32>, direction_24: vec3<f32>, first_6: f32, eta_46: f32, which_6: FaceLayer, view_25: SceneView) -> BackFaceExit {
@@ -7435,123 +7439,123 @@ fn backFaceExit(origin_14: vec3<f32>, direction_24: vec3<f32>, first_6: f32, eta
     eta_47 = eta_46;
     which_7 = which_6;
     view_26 = view_25;
-    let _e41 = direction_25;
-    let _e42 = eta_47;
-    let _e43 = noBackFace(_e41, _e42);
-    none_1 = _e43;
-    let _e47 = first_7;
-    t_29 = _e47;
+    let _e40 = direction_25;
+    let _e41 = eta_47;
+    let _e42 = noBackFace(_e40, _e41);
+    none_1 = _e42;
+    let _e46 = first_7;
+    t_29 = _e46;
     loop {
-        let _e51 = k_25;
-        if !((_e51 < BACK_FACE_STEPS)) {
+        let _e50 = k_25;
+        if !((_e50 < BACK_FACE_STEPS)) {
             break;
         }
         {
-            let _e57 = origin_15;
-            let _e58 = t_29;
-            let _e59 = direction_25;
-            p_16 = (_e57 + (_e58 * _e59));
-            let _e63 = view_26;
-            let _e65 = p_16;
-            clip_3 = (_e63.clipFromWorld * vec4<f32>(_e65.x, _e65.y, _e65.z, 1f));
-            let _e73 = clip_3;
-            if !((_e73.w > 0f)) {
-                let _e78 = none_1;
-                return _e78;
+            let _e56 = origin_15;
+            let _e57 = t_29;
+            let _e58 = direction_25;
+            p_16 = (_e56 + (_e57 * _e58));
+            let _e62 = view_26;
+            let _e64 = p_16;
+            clip_3 = (_e62.clipFromWorld * vec4<f32>(_e64.x, _e64.y, _e64.z, 1f));
+            let _e72 = clip_3;
+            if !((_e72.w > 0f)) {
+                let _e77 = none_1;
+                return _e77;
             }
-            let _e79 = clip_3;
-            let _e80 = view_26;
-            let _e82 = scenePixel(_e79, _e80.size);
-            at_24 = _e82;
-            let _e84 = at_24;
-            let _e85 = p_16;
-            let _e86 = clip_3;
-            let _e88 = which_7;
-            let _e89 = view_26;
-            let _e90 = backFaceAt(_e84, _e85, _e86.w, _e88, _e89);
-            face_9 = _e90;
-            let _e92 = origin_15;
-            let _e93 = direction_25;
-            let _e94 = face_9;
-            let _e96 = face_9;
-            let _e98 = exitPlane(_e92, _e93, _e94.point, _e96.n);
-            met_4 = _e98;
-            let _e100 = face_9;
-            let _e102 = direction_25;
-            let _e103 = face_9;
-            let _e109 = met_4;
-            meets = ((_e100.exists && (dot(_e102, _e103.n) > 0f)) && (_e109 > 0f));
-            let _e114 = k_25;
-            let _e117 = meets;
-            if ((_e114 == 0i) && !(_e117)) {
+            let _e78 = clip_3;
+            let _e79 = view_26;
+            let _e81 = scenePixel(_e78, _e79.size);
+            at_24 = _e81;
+            let _e83 = at_24;
+            let _e84 = p_16;
+            let _e85 = clip_3;
+            let _e87 = which_7;
+            let _e88 = view_26;
+            let _e89 = backFaceAt(_e83, _e84, _e85.w, _e87, _e88);
+            face_9 = _e89;
+            let _e91 = origin_15;
+            let _e92 = direction_25;
+            let _e93 = face_9;
+            let _e95 = face_9;
+            let _e97 = exitPlane(_e91, _e92, _e93.point, _e95.n);
+            met_4 = _e97;
+            let _e99 = face_9;
+            let _e101 = direction_25;
+            let _e102 = face_9;
+            let _e108 = met_4;
+            meets = ((_e99.exists && (dot(_e101, _e102.n) > 0f)) && (_e108 > 0f));
+            let _e113 = k_25;
+            let _e116 = meets;
+            if ((_e113 == 0i) && !(_e116)) {
                 {
-                    let _e120 = face_9;
-                    if !(_e120.exists) {
-                        let _e123 = none_1;
-                        return _e123;
+                    let _e119 = face_9;
+                    if !(_e119.exists) {
+                        let _e122 = none_1;
+                        return _e122;
                     }
-                    let _e124 = face_9;
-                    let _e126 = p_16;
-                    t_29 = length((_e124.point - _e126));
+                    let _e123 = face_9;
+                    let _e125 = p_16;
+                    t_29 = length((_e123.point - _e125));
                     continue;
                 }
             }
-            let _e129 = meets;
-            if !(_e129) {
+            let _e128 = meets;
+            if !(_e128) {
                 {
-                    let _e132 = inside_2;
-                    let _e133 = t_29;
-                    t_29 = (0.5f * (_e132 + _e133));
+                    let _e131 = inside_2;
+                    let _e132 = t_29;
+                    t_29 = (0.5f * (_e131 + _e132));
                     continue;
                 }
             }
-            let _e136 = view_26;
-            let _e138 = origin_15;
-            let _e139 = met_4;
-            let _e140 = direction_25;
-            let _e142 = (_e138 + (_e139 * _e140));
-            there_1 = (_e136.clipFromWorld * vec4<f32>(_e142.x, _e142.y, _e142.z, 1f));
-            let _e150 = there_1;
-            let _e151 = view_26;
-            let _e153 = scenePixel(_e150, _e151.size);
-            hit_2 = _e153;
-            let _e155 = hit_2;
-            let _e156 = at_24;
-            moved = (_e155 - _e156);
-            let _e159 = there_1;
+            let _e135 = view_26;
+            let _e137 = origin_15;
+            let _e138 = met_4;
+            let _e139 = direction_25;
+            let _e141 = (_e137 + (_e138 * _e139));
+            there_1 = (_e135.clipFromWorld * vec4<f32>(_e141.x, _e141.y, _e141.z, 1f));
+            let _e149 = there_1;
+            let _e150 = view_26;
+            let _e152 = scenePixel(_e149, _e150.size);
+            hit_2 = _e152;
+            let _e154 = hit_2;
+            let _e155 = at_24;
+            moved = (_e154 - _e155);
+            let _e158 = there_1;
+            let _e162 = moved;
             let _e163 = moved;
-            let _e164 = moved;
-            if ((_e159.w > 0f) && (dot(_e163, _e164) < 0.5f)) {
+            if ((_e158.w > 0f) && (dot(_e162, _e163) < 0.5f)) {
                 {
-                    let _e169 = face_9;
-                    let _e170 = at_24;
-                    let _e171 = hit_2;
-                    let _e172 = p_16;
-                    let _e173 = clip_3;
-                    let _e175 = which_7;
-                    let _e176 = origin_15;
-                    let _e177 = direction_25;
-                    let _e178 = view_26;
-                    let _e179 = backFaceBetween(_e169, _e170, _e171, _e172, _e173.w, _e175, _e176, _e177, _e178);
-                    found_3 = _e179;
-                    let _e184 = eta_47;
-                    found_3.exit.surface.eta = _e184;
-                    let _e185 = found_3;
-                    return _e185;
+                    let _e168 = face_9;
+                    let _e169 = at_24;
+                    let _e170 = hit_2;
+                    let _e171 = p_16;
+                    let _e172 = clip_3;
+                    let _e174 = which_7;
+                    let _e175 = origin_15;
+                    let _e176 = direction_25;
+                    let _e177 = view_26;
+                    let _e178 = backFaceBetween(_e168, _e169, _e170, _e171, _e172.w, _e174, _e175, _e176, _e177);
+                    found_3 = _e178;
+                    let _e183 = eta_47;
+                    found_3.exit.surface.eta = _e183;
+                    let _e184 = found_3;
+                    return _e184;
                 }
             }
-            let _e186 = t_29;
-            inside_2 = _e186;
-            let _e187 = met_4;
-            t_29 = _e187;
+            let _e185 = t_29;
+            inside_2 = _e185;
+            let _e186 = met_4;
+            t_29 = _e186;
         }
         continuing {
-            let _e54 = k_25;
-            k_25 = (_e54 + 1i);
+            let _e53 = k_25;
+            k_25 = (_e53 + 1i);
         }
     }
-    let _e188 = none_1;
-    return _e188;
+    let _e187 = none_1;
+    return _e187;
 }
 
 fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: f32, sigma_8: f32, weight: f32, energy_1: f32) -> ComposedLobe {
@@ -7592,138 +7596,138 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     sigma_9 = sigma_8;
     weight_1 = weight;
     energy_2 = energy_1;
-    let _e49 = inner_3;
-    lobe_3.direction = _e49.direction;
-    let _e52 = inner_3;
-    lobe_3.sigma = _e52.sigma;
-    let _e55 = inner_3;
-    lobe_3.inner = _e55.sigma;
-    let _e58 = inner_3;
-    lobe_3.carried = _e58.sigma;
-    let _e61 = inner_3;
-    let _e63 = weight_1;
-    let _e65 = energy_2;
-    lobe_3.weight = ((_e61.weight * _e63) * _e65);
-    let _e67 = view_28;
-    if !((_e67.cosTheta > 0f)) {
+    let _e48 = inner_3;
+    lobe_3.direction = _e48.direction;
+    let _e51 = inner_3;
+    lobe_3.sigma = _e51.sigma;
+    let _e54 = inner_3;
+    lobe_3.inner = _e54.sigma;
+    let _e57 = inner_3;
+    lobe_3.carried = _e57.sigma;
+    let _e60 = inner_3;
+    let _e62 = weight_1;
+    let _e64 = energy_2;
+    lobe_3.weight = ((_e60.weight * _e62) * _e64);
+    let _e66 = view_28;
+    if !((_e66.cosTheta > 0f)) {
         lobe_3.weight = 0f;
     }
-    let _e75 = s_18;
-    ratio_1 = (1f / _e75.eta);
-    let _e79 = view_28;
-    let _e84 = ratio_1;
-    if (!((_e79.cosTheta > 0f)) || (abs((_e84 - 1f)) < INDEX_MATCHED)) {
-        let _e90 = lobe_3;
-        return _e90;
+    let _e74 = s_18;
+    ratio_1 = (1f / _e74.eta);
+    let _e78 = view_28;
+    let _e83 = ratio_1;
+    if (!((_e78.cosTheta > 0f)) || (abs((_e83 - 1f)) < INDEX_MATCHED)) {
+        let _e89 = lobe_3;
+        return _e89;
     }
-    let _e91 = inner_3;
-    let _e93 = view_28;
-    let _e95 = s_18;
-    along_15 = (_e91.direction - (_e93.cosTheta * _e95.n));
-    let _e100 = along_15;
-    sinTheta_1 = length(_e100);
-    let _e103 = along_15;
-    let _e104 = sinTheta_1;
-    t_30 = (_e103 / vec3(max(_e104, 0.000000000001f)));
-    let _e110 = sinTheta_1;
-    let _e111 = view_28;
-    d_18 = vec2<f32>(_e110, _e111.cosTheta);
-    let _e115 = angle_1;
-    let _e117 = angle_1;
-    l_4 = vec2<f32>(sin(_e115), cos(_e117));
-    let _e121 = ratio_1;
-    let _e122 = d_18;
-    let _e124 = l_4;
-    let _e126 = ratio_1;
-    if (_e126 < 1f) {
+    let _e90 = inner_3;
+    let _e92 = view_28;
+    let _e94 = s_18;
+    along_15 = (_e90.direction - (_e92.cosTheta * _e94.n));
+    let _e99 = along_15;
+    sinTheta_1 = length(_e99);
+    let _e102 = along_15;
+    let _e103 = sinTheta_1;
+    t_30 = (_e102 / vec3(max(_e103, 0.000000000001f)));
+    let _e109 = sinTheta_1;
+    let _e110 = view_28;
+    d_18 = vec2<f32>(_e109, _e110.cosTheta);
+    let _e114 = angle_1;
+    let _e116 = angle_1;
+    l_4 = vec2<f32>(sin(_e114), cos(_e116));
+    let _e120 = ratio_1;
+    let _e121 = d_18;
+    let _e123 = l_4;
+    let _e125 = ratio_1;
+    if (_e125 < 1f) {
         local_88 = -1f;
     } else {
         local_88 = 1f;
     }
-    let _e133 = local_88;
-    h_15 = (((_e121 * _e122) - _e124) * _e133);
-    let _e136 = h_15;
-    bend = max(length(_e136), 0.00005f);
-    let _e143 = d_18;
-    let _e144 = h_15;
-    let _e146 = bend;
-    ci = (dot(_e143, _e144) / _e146);
-    let _e149 = l_4;
-    let _e150 = h_15;
-    let _e152 = bend;
-    co = max((dot(_e149, _e150) / _e152), FACET_LEAST_COS);
-    let _e157 = view_28;
-    rays_1 = (1f - _e157.own);
-    let _e161 = angle_1;
-    let _e162 = rays_1;
-    let _e164 = view_28;
-    let _e167 = h_15;
-    let _e169 = h_15;
-    turned_1 = clamp((_e161 - (((GIVEN_BACK * _e162) / _e164.swing) * atan2(_e167.x, abs(_e169.y)))), -1.5707964f, 1.5707964f);
-    let _e185 = turned_1;
-    let _e187 = t_30;
-    let _e189 = turned_1;
-    let _e191 = s_18;
-    lobe_3.direction = normalize(((sin(_e185) * _e187) + (cos(_e189) * _e191.n)));
-    let _e196 = view_28;
-    let _e198 = rays_1;
-    let _e200 = view_28;
-    let _e204 = view_28;
-    kept = (_e196.own - ((_e198 * (1f - _e200.swing)) / _e204.swing));
-    let _e209 = sigma_9;
-    let _e210 = co;
-    let _e213 = ratio_1;
-    let _e214 = ci;
-    let _e216 = kept;
-    let _e217 = co;
-    let _e221 = bend;
-    seen_1 = (((_e209 * inverseSqrt(_e210)) * ((_e213 * _e214) - (_e216 * _e217))) / _e221);
-    let _e224 = ratio_1;
-    let _e225 = co;
-    let _e226 = ratio_1;
-    let _e227 = ci;
-    let _e230 = s_18;
-    across_12 = (_e224 + ((_e225 - (_e226 * _e227)) * _e230.turn.y));
-    let _e236 = inner_3;
-    let _e238 = inner_3;
-    sigma2_ = (_e236.sigma * _e238.sigma);
+    let _e132 = local_88;
+    h_15 = (((_e120 * _e121) - _e123) * _e132);
+    let _e135 = h_15;
+    bend = max(length(_e135), 0.00005f);
+    let _e142 = d_18;
+    let _e143 = h_15;
+    let _e145 = bend;
+    ci = (dot(_e142, _e143) / _e145);
+    let _e148 = l_4;
+    let _e149 = h_15;
+    let _e151 = bend;
+    co = max((dot(_e148, _e149) / _e151), FACET_LEAST_COS);
+    let _e156 = view_28;
+    rays_1 = (1f - _e156.own);
+    let _e160 = angle_1;
+    let _e161 = rays_1;
+    let _e163 = view_28;
+    let _e166 = h_15;
+    let _e168 = h_15;
+    turned_1 = clamp((_e160 - (((GIVEN_BACK * _e161) / _e163.swing) * atan2(_e166.x, abs(_e168.y)))), -1.5707964f, 1.5707964f);
+    let _e184 = turned_1;
+    let _e186 = t_30;
+    let _e188 = turned_1;
+    let _e190 = s_18;
+    lobe_3.direction = normalize(((sin(_e184) * _e186) + (cos(_e188) * _e190.n)));
+    let _e195 = view_28;
+    let _e197 = rays_1;
+    let _e199 = view_28;
+    let _e203 = view_28;
+    kept = (_e195.own - ((_e197 * (1f - _e199.swing)) / _e203.swing));
+    let _e208 = sigma_9;
+    let _e209 = co;
+    let _e212 = ratio_1;
+    let _e213 = ci;
+    let _e215 = kept;
+    let _e216 = co;
+    let _e220 = bend;
+    seen_1 = (((_e208 * inverseSqrt(_e209)) * ((_e212 * _e213) - (_e215 * _e216))) / _e220);
+    let _e223 = ratio_1;
+    let _e224 = co;
+    let _e225 = ratio_1;
+    let _e226 = ci;
+    let _e229 = s_18;
+    across_12 = (_e223 + ((_e224 - (_e225 * _e226)) * _e229.turn.y));
+    let _e235 = inner_3;
+    let _e237 = inner_3;
+    sigma2_ = (_e235.sigma * _e237.sigma);
+    let _e241 = seen_1;
     let _e242 = seen_1;
-    let _e243 = seen_1;
-    let _e245 = view_28;
-    let _e247 = sigma2_;
-    inPlane = min(((_e242 * _e243) + (_e245.own * _e247)), 0.09f);
-    let _e255 = view_28;
-    let _e257 = sigma_9;
-    let _e259 = sigma_9;
-    let _e261 = co;
+    let _e244 = view_28;
+    let _e246 = sigma2_;
+    inPlane = min(((_e241 * _e242) + (_e244.own * _e246)), 0.09f);
+    let _e254 = view_28;
+    let _e256 = sigma_9;
+    let _e258 = sigma_9;
+    let _e260 = co;
+    let _e262 = across_12;
     let _e263 = across_12;
-    let _e264 = across_12;
-    let _e266 = sigma2_;
-    outOfPlane = ((((_e255.own * _e257) * _e259) * _e261) + ((_e263 * _e264) * _e266));
-    let _e271 = inPlane;
-    let _e272 = outOfPlane;
-    lobe_3.sigma = sqrt(sqrt((_e271 * _e272)));
-    let _e276 = view_28;
-    if (_e276.swing < 0f) {
-        let _e280 = rays_1;
-        local_89 = -(sqrt(_e280));
+    let _e265 = sigma2_;
+    outOfPlane = ((((_e254.own * _e256) * _e258) * _e260) + ((_e262 * _e263) * _e265));
+    let _e270 = inPlane;
+    let _e271 = outOfPlane;
+    lobe_3.sigma = sqrt(sqrt((_e270 * _e271)));
+    let _e275 = view_28;
+    if (_e275.swing < 0f) {
+        let _e279 = rays_1;
+        local_89 = -(sqrt(_e279));
     } else {
-        let _e283 = rays_1;
-        local_89 = sqrt(_e283);
+        let _e282 = rays_1;
+        local_89 = sqrt(_e282);
     }
-    let _e286 = local_89;
-    let _e287 = seen_1;
-    let _e289 = view_28;
-    let _e291 = inner_3;
-    carriedInPlane = ((_e286 * _e287) + (_e289.own * _e291.sigma));
-    let _e298 = carriedInPlane;
-    let _e299 = across_12;
-    let _e300 = inner_3;
-    let _e305 = lobe_3;
-    let _e308 = lobe_3;
-    lobe_3.carried = clamp((0.5f * (_e298 + (_e299 * _e300.sigma))), -(_e305.sigma), _e308.sigma);
-    let _e311 = lobe_3;
-    return _e311;
+    let _e285 = local_89;
+    let _e286 = seen_1;
+    let _e288 = view_28;
+    let _e290 = inner_3;
+    carriedInPlane = ((_e285 * _e286) + (_e288.own * _e290.sigma));
+    let _e297 = carriedInPlane;
+    let _e298 = across_12;
+    let _e299 = inner_3;
+    let _e304 = lobe_3;
+    let _e307 = lobe_3;
+    lobe_3.carried = clamp((0.5f * (_e297 + (_e298 * _e299.sigma))), -(_e304.sigma), _e307.sigma);
+    let _e310 = lobe_3;
+    return _e310;
 }
 
 fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
@@ -7742,75 +7746,75 @@ fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
 
     a_34 = a_33;
     b_24 = b_23;
-    let _e37 = a_34;
-    let _e39 = b_24;
-    weight_2 = (_e37.weight + _e39.weight);
-    let _e43 = weight_2;
-    if (_e43 > 0f) {
-        let _e46 = b_24;
-        let _e48 = weight_2;
-        local_90 = (_e46.weight / _e48);
+    let _e36 = a_34;
+    let _e38 = b_24;
+    weight_2 = (_e36.weight + _e38.weight);
+    let _e42 = weight_2;
+    if (_e42 > 0f) {
+        let _e45 = b_24;
+        let _e47 = weight_2;
+        local_90 = (_e45.weight / _e47);
     } else {
         local_90 = 0f;
     }
-    let _e52 = local_90;
-    share_4 = _e52;
-    let _e54 = b_24;
-    let _e56 = a_34;
-    apart_1 = (_e54.direction - _e56.direction);
-    let _e60 = a_34;
-    let _e62 = share_4;
-    let _e63 = apart_1;
-    mean_2 = (_e60.direction + (_e62 * _e63));
-    let _e67 = a_34;
-    let _e69 = a_34;
-    let _e72 = b_24;
-    let _e74 = b_24;
-    let _e77 = share_4;
-    inner2_ = mix((_e67.inner * _e69.inner), (_e72.inner * _e74.inner), _e77);
-    let _e80 = a_34;
-    let _e82 = a_34;
-    let _e85 = b_24;
-    let _e87 = b_24;
-    let _e90 = share_4;
-    both = mix((_e80.inner * _e82.carried), (_e85.inner * _e87.carried), _e90);
-    let _e95 = weight_2;
-    lobe_4.weight = _e95;
+    let _e51 = local_90;
+    share_4 = _e51;
+    let _e53 = b_24;
+    let _e55 = a_34;
+    apart_1 = (_e53.direction - _e55.direction);
+    let _e59 = a_34;
+    let _e61 = share_4;
+    let _e62 = apart_1;
+    mean_2 = (_e59.direction + (_e61 * _e62));
+    let _e66 = a_34;
+    let _e68 = a_34;
+    let _e71 = b_24;
+    let _e73 = b_24;
+    let _e76 = share_4;
+    inner2_ = mix((_e66.inner * _e68.inner), (_e71.inner * _e73.inner), _e76);
+    let _e79 = a_34;
+    let _e81 = a_34;
+    let _e84 = b_24;
+    let _e86 = b_24;
+    let _e89 = share_4;
+    both = mix((_e79.inner * _e81.carried), (_e84.inner * _e86.carried), _e89);
+    let _e94 = weight_2;
+    lobe_4.weight = _e94;
+    let _e96 = mean_2;
     let _e97 = mean_2;
-    let _e98 = mean_2;
-    if (dot(_e97, _e98) > 0.000001f) {
-        let _e102 = mean_2;
-        local_91 = normalize(_e102);
+    if (dot(_e96, _e97) > 0.000001f) {
+        let _e101 = mean_2;
+        local_91 = normalize(_e101);
     } else {
-        let _e104 = a_34;
-        local_91 = _e104.direction;
+        let _e103 = a_34;
+        local_91 = _e103.direction;
     }
-    let _e107 = local_91;
-    lobe_4.direction = _e107;
-    let _e109 = a_34;
-    let _e111 = a_34;
-    let _e114 = b_24;
-    let _e116 = b_24;
-    let _e119 = share_4;
-    let _e122 = share_4;
-    let _e125 = share_4;
+    let _e106 = local_91;
+    lobe_4.direction = _e106;
+    let _e108 = a_34;
+    let _e110 = a_34;
+    let _e113 = b_24;
+    let _e115 = b_24;
+    let _e118 = share_4;
+    let _e121 = share_4;
+    let _e124 = share_4;
+    let _e127 = apart_1;
     let _e128 = apart_1;
-    let _e129 = apart_1;
-    lobe_4.sigma = sqrt((mix((_e109.sigma * _e111.sigma), (_e114.sigma * _e116.sigma), _e119) + (((0.5f * _e122) * (1f - _e125)) * dot(_e128, _e129))));
-    let _e135 = inner2_;
-    lobe_4.inner = sqrt(_e135);
-    let _e138 = lobe_4;
-    if (_e138.inner > 0f) {
-        let _e142 = both;
-        let _e143 = lobe_4;
-        local_92 = (_e142 / _e143.inner);
+    lobe_4.sigma = sqrt((mix((_e108.sigma * _e110.sigma), (_e113.sigma * _e115.sigma), _e118) + (((0.5f * _e121) * (1f - _e124)) * dot(_e127, _e128))));
+    let _e134 = inner2_;
+    lobe_4.inner = sqrt(_e134);
+    let _e137 = lobe_4;
+    if (_e137.inner > 0f) {
+        let _e141 = both;
+        let _e142 = lobe_4;
+        local_92 = (_e141 / _e142.inner);
     } else {
         local_92 = 0f;
     }
-    let _e148 = local_92;
-    lobe_4.carried = _e148;
-    let _e149 = lobe_4;
-    return _e149;
+    let _e147 = local_92;
+    lobe_4.carried = _e147;
+    let _e148 = lobe_4;
+    return _e148;
 }
 
 fn composedPair(core_2: ComposedLobe, tail_1: ComposedLobe, view_29: ExitView) -> ComposedPair {
@@ -7823,21 +7827,21 @@ fn composedPair(core_2: ComposedLobe, tail_1: ComposedLobe, view_29: ExitView) -
     core_3 = core_2;
     tail_2 = tail_1;
     view_30 = view_29;
-    let _e40 = view_30;
-    let _e43 = tail_2;
-    moved_1 = ((1f - _e40.own) * _e43.weight);
-    let _e49 = core_3;
-    pair_1.core = _e49;
-    let _e51 = tail_2;
-    pair_1.rest = _e51;
-    let _e54 = core_3;
-    let _e56 = moved_1;
-    pair_1.core.weight = (_e54.weight + _e56);
-    let _e60 = tail_2;
-    let _e62 = moved_1;
-    pair_1.rest.weight = (_e60.weight - _e62);
-    let _e64 = pair_1;
-    return _e64;
+    let _e39 = view_30;
+    let _e42 = tail_2;
+    moved_1 = ((1f - _e39.own) * _e42.weight);
+    let _e48 = core_3;
+    pair_1.core = _e48;
+    let _e50 = tail_2;
+    pair_1.rest = _e50;
+    let _e53 = core_3;
+    let _e55 = moved_1;
+    pair_1.core.weight = (_e53.weight + _e55);
+    let _e59 = tail_2;
+    let _e61 = moved_1;
+    pair_1.rest.weight = (_e59.weight - _e61);
+    let _e63 = pair_1;
+    return _e63;
 }
 
 fn mergePairs(core_4: ComposedPair, tail_3: ComposedPair) -> ComposedPair {
@@ -7847,16 +7851,16 @@ fn mergePairs(core_4: ComposedPair, tail_3: ComposedPair) -> ComposedPair {
 
     core_5 = core_4;
     tail_4 = tail_3;
-    let _e39 = core_5;
-    pair_2.core = _e39.core;
-    let _e42 = core_5;
-    let _e44 = tail_4;
-    let _e46 = mergeLobes(_e42.rest, _e44.core);
-    let _e47 = tail_4;
-    let _e49 = mergeLobes(_e46, _e47.rest);
-    pair_2.rest = _e49;
-    let _e50 = pair_2;
-    return _e50;
+    let _e38 = core_5;
+    pair_2.core = _e38.core;
+    let _e41 = core_5;
+    let _e43 = tail_4;
+    let _e45 = mergeLobes(_e41.rest, _e43.core);
+    let _e46 = tail_4;
+    let _e48 = mergeLobes(_e45, _e46.rest);
+    pair_2.rest = _e48;
+    let _e49 = pair_2;
+    return _e49;
 }
 
 fn interfaceCosineAxis(cosTheta_39: f32, eta_48: f32) -> f32 {
@@ -7876,71 +7880,71 @@ fn interfaceCosineAxis(cosTheta_39: f32, eta_48: f32) -> f32 {
 
     cosTheta_40 = cosTheta_39;
     eta_49 = eta_48;
-    let _e43 = cosTheta_40;
-    c_31 = clamp(_e43, 0f, 1f);
-    let _e48 = eta_49;
-    if (_e48 >= 1f) {
-        let _e51 = c_31;
-        return sqrt(_e51);
+    let _e42 = cosTheta_40;
+    c_31 = clamp(_e42, 0f, 1f);
+    let _e47 = eta_49;
+    if (_e47 >= 1f) {
+        let _e50 = c_31;
+        return sqrt(_e50);
     }
-    let _e54 = eta_49;
-    let _e57 = eta_49;
-    critical = sqrt(((1f - _e54) * (1f + _e57)));
-    let _e62 = c_31;
-    let _e63 = critical;
-    past = (_e62 < _e63);
-    let _e66 = past;
-    if _e66 {
-        let _e67 = c_31;
-        let _e68 = critical;
-        local_93 = (_e67 / _e68);
+    let _e53 = eta_49;
+    let _e56 = eta_49;
+    critical = sqrt(((1f - _e53) * (1f + _e56)));
+    let _e61 = c_31;
+    let _e62 = critical;
+    past = (_e61 < _e62);
+    let _e65 = past;
+    if _e65 {
+        let _e66 = c_31;
+        let _e67 = critical;
+        local_93 = (_e66 / _e67);
     } else {
-        let _e70 = c_31;
-        let _e71 = critical;
-        let _e74 = critical;
-        local_93 = ((_e70 - _e71) / (1f - _e74));
+        let _e69 = c_31;
+        let _e70 = critical;
+        let _e73 = critical;
+        local_93 = ((_e69 - _e70) / (1f - _e73));
     }
-    let _e78 = local_93;
-    along_16 = _e78;
-    let _e80 = past;
-    let _e81 = along_16;
-    grazing_1 = (_e80 && (_e81 < 0.5f));
-    let _e86 = past;
-    if _e86 {
-        let _e88 = grazing_1;
-        if _e88 {
-            let _e89 = along_16;
-            local_94 = _e89;
+    let _e77 = local_93;
+    along_16 = _e77;
+    let _e79 = past;
+    let _e80 = along_16;
+    grazing_1 = (_e79 && (_e80 < 0.5f));
+    let _e85 = past;
+    if _e85 {
+        let _e87 = grazing_1;
+        if _e87 {
+            let _e88 = along_16;
+            local_94 = _e88;
         } else {
-            let _e91 = along_16;
-            local_94 = (1f - _e91);
+            let _e90 = along_16;
+            local_94 = (1f - _e90);
         }
-        let _e94 = local_94;
-        local_95 = (0.125f * _e94);
+        let _e93 = local_94;
+        local_95 = (0.125f * _e93);
     } else {
-        let _e97 = along_16;
-        local_95 = (0.25f * _e97);
+        let _e96 = along_16;
+        local_95 = (0.25f * _e96);
     }
-    let _e100 = local_95;
-    x_26 = sqrt(_e100);
-    let _e103 = grazing_1;
-    if _e103 {
-        let _e104 = x_26;
-        local_97 = _e104;
+    let _e99 = local_95;
+    x_26 = sqrt(_e99);
+    let _e102 = grazing_1;
+    if _e102 {
+        let _e103 = x_26;
+        local_97 = _e103;
     } else {
-        let _e105 = past;
-        if _e105 {
-            let _e107 = x_26;
-            local_96 = (0.5f - _e107);
+        let _e104 = past;
+        if _e104 {
+            let _e106 = x_26;
+            local_96 = (0.5f - _e106);
         } else {
-            let _e110 = x_26;
-            local_96 = (0.5f + _e110);
+            let _e109 = x_26;
+            local_96 = (0.5f + _e109);
         }
-        let _e113 = local_96;
-        local_97 = _e113;
+        let _e112 = local_96;
+        local_97 = _e112;
     }
-    let _e115 = local_97;
-    return _e115;
+    let _e114 = local_97;
+    return _e114;
 }
 
 fn interfaceCosineAt(x_27: f32, eta_50: f32) -> f32 {
@@ -7952,38 +7956,38 @@ fn interfaceCosineAt(x_27: f32, eta_50: f32) -> f32 {
 
     x_28 = x_27;
     eta_51 = eta_50;
-    let _e43 = eta_51;
-    if (_e43 >= 1f) {
+    let _e42 = eta_51;
+    if (_e42 >= 1f) {
+        let _e45 = x_28;
         let _e46 = x_28;
-        let _e47 = x_28;
-        return (_e46 * _e47);
+        return (_e45 * _e46);
     }
-    let _e50 = eta_51;
-    let _e53 = eta_51;
-    critical_1 = sqrt(((1f - _e50) * (1f + _e53)));
-    let _e58 = x_28;
-    away = (_e58 - 0.5f);
-    let _e62 = away;
-    if (_e62 >= 0f) {
-        let _e65 = critical_1;
-        let _e67 = away;
-        let _e69 = away;
-        let _e72 = critical_1;
-        return (_e65 + (((4f * _e67) * _e69) * (1f - _e72)));
+    let _e49 = eta_51;
+    let _e52 = eta_51;
+    critical_1 = sqrt(((1f - _e49) * (1f + _e52)));
+    let _e57 = x_28;
+    away = (_e57 - 0.5f);
+    let _e61 = away;
+    if (_e61 >= 0f) {
+        let _e64 = critical_1;
+        let _e66 = away;
+        let _e68 = away;
+        let _e71 = critical_1;
+        return (_e64 + (((4f * _e66) * _e68) * (1f - _e71)));
     }
-    let _e76 = critical_1;
-    let _e77 = x_28;
-    if (_e77 < 0.25f) {
-        let _e81 = x_28;
-        let _e83 = x_28;
-        local_98 = ((8f * _e81) * _e83);
+    let _e75 = critical_1;
+    let _e76 = x_28;
+    if (_e76 < 0.25f) {
+        let _e80 = x_28;
+        let _e82 = x_28;
+        local_98 = ((8f * _e80) * _e82);
     } else {
-        let _e87 = away;
-        let _e89 = away;
-        local_98 = (1f - ((8f * _e87) * _e89));
+        let _e86 = away;
+        let _e88 = away;
+        local_98 = (1f - ((8f * _e86) * _e88));
     }
-    let _e93 = local_98;
-    return (_e76 * _e93);
+    let _e92 = local_98;
+    return (_e75 * _e92);
 }
 
 fn interfaceEtaAxis(eta_52: f32) -> f32 {
@@ -7992,19 +7996,19 @@ fn interfaceEtaAxis(eta_52: f32) -> f32 {
     var n_49: f32;
 
     eta_53 = eta_52;
-    let _e41 = eta_53;
-    if (_e41 < 1f) {
-        let _e45 = eta_53;
-        local_99 = (1f / max(_e45, 0.01f));
+    let _e40 = eta_53;
+    if (_e40 < 1f) {
+        let _e44 = eta_53;
+        local_99 = (1f / max(_e44, 0.01f));
     } else {
-        let _e49 = eta_53;
-        local_99 = _e49;
+        let _e48 = eta_53;
+        local_99 = _e48;
     }
-    let _e51 = local_99;
-    n_49 = clamp(_e51, 1f, INTERFACE_GREATEST_ETA);
-    let _e55 = n_49;
-    let _e58 = n_49;
-    return (((_e55 - 1f) / (_e58 + 1f)) * 1.6666666f);
+    let _e50 = local_99;
+    n_49 = clamp(_e50, 1f, INTERFACE_GREATEST_ETA);
+    let _e54 = n_49;
+    let _e57 = n_49;
+    return (((_e54 - 1f) / (_e57 + 1f)) * 1.6666666f);
 }
 
 fn interfaceEnergyCoordinate(cosTheta_41: f32, alpha_94: f32, eta_54: f32) -> vec3<f32> {
@@ -8016,23 +8020,23 @@ fn interfaceEnergyCoordinate(cosTheta_41: f32, alpha_94: f32, eta_54: f32) -> ve
     cosTheta_42 = cosTheta_41;
     alpha_95 = alpha_94;
     eta_55 = eta_54;
-    let _e45 = cosTheta_42;
-    let _e46 = eta_55;
-    let _e47 = interfaceCosineAxis(_e45, _e46);
-    let _e50 = blockCoordinate(_e47, INTERFACE_ENERGY_COSINES, 0i, 1i);
-    let _e51 = alpha_95;
-    let _e57 = blockCoordinate(sqrt(max(_e51, 0f)), INTERFACE_ENERGY_ALPHAS, 0i, 1i);
-    let _e58 = eta_55;
-    let _e59 = interfaceEtaAxis(_e58);
-    let _e60 = eta_55;
-    if (_e60 < 1f) {
+    let _e44 = cosTheta_42;
+    let _e45 = eta_55;
+    let _e46 = interfaceCosineAxis(_e44, _e45);
+    let _e49 = blockCoordinate(_e46, INTERFACE_ENERGY_COSINES, 0i, 1i);
+    let _e50 = alpha_95;
+    let _e56 = blockCoordinate(sqrt(max(_e50, 0f)), INTERFACE_ENERGY_ALPHAS, 0i, 1i);
+    let _e57 = eta_55;
+    let _e58 = interfaceEtaAxis(_e57);
+    let _e59 = eta_55;
+    if (_e59 < 1f) {
         local_100 = 1i;
     } else {
         local_100 = 0i;
     }
-    let _e66 = local_100;
-    let _e68 = blockCoordinate(_e59, INTERFACE_SLICES, _e66, 2i);
-    return vec3<f32>(_e50, _e57, _e68);
+    let _e65 = local_100;
+    let _e67 = blockCoordinate(_e58, INTERFACE_SLICES, _e65, 2i);
+    return vec3<f32>(_e49, _e56, _e67);
 }
 
 fn interfaceLobeCoordinate(lobe_5: i32, lobes_6: i32, cosTheta_43: f32, alpha_96: f32, eta_56: f32) -> vec3<f32> {
@@ -8048,25 +8052,25 @@ fn interfaceLobeCoordinate(lobe_5: i32, lobes_6: i32, cosTheta_43: f32, alpha_96
     cosTheta_44 = cosTheta_43;
     alpha_97 = alpha_96;
     eta_57 = eta_56;
-    let _e49 = cosTheta_44;
-    let _e50 = eta_57;
-    let _e51 = interfaceCosineAxis(_e49, _e50);
-    let _e54 = blockCoordinate(_e51, INTERFACE_LOBE_COSINES, 0i, 1i);
-    let _e55 = alpha_97;
-    let _e59 = lobe_6;
-    let _e60 = lobes_7;
-    let _e61 = blockCoordinate(sqrt(max(_e55, 0f)), INTERFACE_LOBE_ALPHAS, _e59, _e60);
-    let _e62 = eta_57;
-    let _e63 = interfaceEtaAxis(_e62);
-    let _e64 = eta_57;
-    if (_e64 < 1f) {
+    let _e48 = cosTheta_44;
+    let _e49 = eta_57;
+    let _e50 = interfaceCosineAxis(_e48, _e49);
+    let _e53 = blockCoordinate(_e50, INTERFACE_LOBE_COSINES, 0i, 1i);
+    let _e54 = alpha_97;
+    let _e58 = lobe_6;
+    let _e59 = lobes_7;
+    let _e60 = blockCoordinate(sqrt(max(_e54, 0f)), INTERFACE_LOBE_ALPHAS, _e58, _e59);
+    let _e61 = eta_57;
+    let _e62 = interfaceEtaAxis(_e61);
+    let _e63 = eta_57;
+    if (_e63 < 1f) {
         local_101 = 1i;
     } else {
         local_101 = 0i;
     }
-    let _e70 = local_101;
-    let _e72 = blockCoordinate(_e63, INTERFACE_SLICES, _e70, 2i);
-    return vec3<f32>(_e54, _e61, _e72);
+    let _e69 = local_101;
+    let _e71 = blockCoordinate(_e62, INTERFACE_SLICES, _e69, 2i);
+    return vec3<f32>(_e53, _e60, _e71);
 }
 
 fn interfaceSnell(cosTheta_45: f32, eta_58: f32) -> f32 {
@@ -8076,14 +8080,14 @@ fn interfaceSnell(cosTheta_45: f32, eta_58: f32) -> f32 {
 
     cosTheta_46 = cosTheta_45;
     eta_59 = eta_58;
-    let _e43 = cosTheta_46;
-    c_32 = clamp(_e43, 0f, 1f);
-    let _e49 = c_32;
-    let _e52 = c_32;
-    let _e56 = c_32;
-    let _e57 = eta_59;
-    let _e58 = fresnelG(_e56, _e57);
-    return atan2(sqrt(((1f - _e49) * (1f + _e52))), _e58);
+    let _e42 = cosTheta_46;
+    c_32 = clamp(_e42, 0f, 1f);
+    let _e48 = c_32;
+    let _e51 = c_32;
+    let _e55 = c_32;
+    let _e56 = eta_59;
+    let _e57 = fresnelG(_e55, _e56);
+    return atan2(sqrt(((1f - _e48) * (1f + _e51))), _e57);
 }
 
 fn interfaceWidth(cosTheta_47: f32, alpha_98: f32, eta_60: f32) -> f32 {
@@ -8100,36 +8104,36 @@ fn interfaceWidth(cosTheta_47: f32, alpha_98: f32, eta_60: f32) -> f32 {
     cosTheta_48 = cosTheta_47;
     alpha_99 = alpha_98;
     eta_61 = eta_60;
-    let _e45 = cosTheta_48;
-    let _e49 = eta_61;
-    let _e50 = fresnelG(clamp(_e45, 0f, 1f), _e49);
-    g_9 = _e50;
-    let _e53 = eta_61;
-    let _e56 = eta_61;
-    critical_2 = sqrt(max(((1f - _e53) * (1f + _e56)), 0f));
-    let _e63 = eta_61;
-    let _e66 = eta_61;
-    let _e71 = eta_61;
-    let _e72 = g_9;
-    let _e73 = cosTheta_48;
-    let _e74 = critical_2;
-    across_13 = (abs(((_e63 - 1f) * (_e66 + 1f))) / max((_e71 * (_e72 + max(_e73, _e74))), 0.000000000000000000000000000001f));
-    let _e82 = g_9;
-    let _e83 = eta_61;
-    cosT = (_e82 / _e83);
-    let _e86 = alpha_99;
-    let _e87 = critical_2;
-    let _e88 = cosTheta_48;
-    lean_3 = (_e86 + max((_e87 - _e88), 0f));
-    let _e94 = lean_3;
-    let _e95 = across_13;
+    let _e44 = cosTheta_48;
+    let _e48 = eta_61;
+    let _e49 = fresnelG(clamp(_e44, 0f, 1f), _e48);
+    g_9 = _e49;
+    let _e52 = eta_61;
+    let _e55 = eta_61;
+    critical_2 = sqrt(max(((1f - _e52) * (1f + _e55)), 0f));
+    let _e62 = eta_61;
+    let _e65 = eta_61;
+    let _e70 = eta_61;
+    let _e71 = g_9;
+    let _e72 = cosTheta_48;
+    let _e73 = critical_2;
+    across_13 = (abs(((_e62 - 1f) * (_e65 + 1f))) / max((_e70 * (_e71 + max(_e72, _e73))), 0.000000000000000000000000000001f));
+    let _e81 = g_9;
+    let _e82 = eta_61;
+    cosT = (_e81 / _e82);
+    let _e85 = alpha_99;
+    let _e86 = critical_2;
+    let _e87 = cosTheta_48;
+    lean_3 = (_e85 + max((_e86 - _e87), 0f));
+    let _e93 = lean_3;
+    let _e94 = across_13;
+    let _e96 = cosT;
     let _e97 = cosT;
-    let _e98 = cosT;
-    let _e100 = lean_3;
-    width_5 = ((_e94 * _e95) * inverseSqrt(sqrt(((_e97 * _e98) + max(_e100, 0.000000000001f)))));
-    let _e108 = width_5;
-    let _e111 = width_5;
-    return (_e108 / (1f + (2f * _e111)));
+    let _e99 = lean_3;
+    width_5 = ((_e93 * _e94) * inverseSqrt(sqrt(((_e96 * _e97) + max(_e99, 0.000000000001f)))));
+    let _e107 = width_5;
+    let _e110 = width_5;
+    return (_e107 / (1f + (2f * _e110)));
 }
 
 fn interfaceEnergy(texel_5: vec4<f32>) -> InterfaceEnergy {
@@ -8137,12 +8141,12 @@ fn interfaceEnergy(texel_5: vec4<f32>) -> InterfaceEnergy {
     var e_7: InterfaceEnergy;
 
     texel_6 = texel_5;
-    let _e43 = texel_6;
-    e_7.transmitted = _e43.x;
-    let _e46 = texel_6;
-    e_7.reflected = _e46.y;
-    let _e48 = e_7;
-    return _e48;
+    let _e42 = texel_6;
+    e_7.transmitted = _e42.x;
+    let _e45 = texel_6;
+    e_7.reflected = _e45.y;
+    let _e47 = e_7;
+    return _e47;
 }
 
 fn interfaceLobe(texel_7: vec4<f32>, cosTheta_49: f32, alpha_100: f32, eta_62: f32) -> InterfaceLobe {
@@ -8157,24 +8161,24 @@ fn interfaceLobe(texel_7: vec4<f32>, cosTheta_49: f32, alpha_100: f32, eta_62: f
     cosTheta_50 = cosTheta_49;
     alpha_101 = alpha_100;
     eta_63 = eta_62;
-    let _e47 = cosTheta_50;
-    let _e48 = alpha_101;
-    let _e52 = eta_63;
-    let _e53 = interfaceWidth(_e47, clamp(_e48, 0f, 1f), _e52);
-    width_6 = _e53;
-    let _e57 = cosTheta_50;
-    let _e58 = eta_63;
-    let _e59 = interfaceSnell(_e57, _e58);
-    let _e60 = texel_8;
-    let _e62 = width_6;
-    lobe_7.angle = (_e59 + (_e60.x * _e62));
-    let _e66 = texel_8;
-    let _e68 = width_6;
-    lobe_7.sigma = (_e66.y * _e68);
-    let _e71 = texel_8;
-    lobe_7.weight = _e71.z;
-    let _e73 = lobe_7;
-    return _e73;
+    let _e46 = cosTheta_50;
+    let _e47 = alpha_101;
+    let _e51 = eta_63;
+    let _e52 = interfaceWidth(_e46, clamp(_e47, 0f, 1f), _e51);
+    width_6 = _e52;
+    let _e56 = cosTheta_50;
+    let _e57 = eta_63;
+    let _e58 = interfaceSnell(_e56, _e57);
+    let _e59 = texel_8;
+    let _e61 = width_6;
+    lobe_7.angle = (_e58 + (_e59.x * _e61));
+    let _e65 = texel_8;
+    let _e67 = width_6;
+    lobe_7.sigma = (_e65.y * _e67);
+    let _e70 = texel_8;
+    lobe_7.weight = _e70.z;
+    let _e72 = lobe_7;
+    return _e72;
 }
 
 fn interfaceLobeDirection(wo_56: vec3<f32>, n_50: vec3<f32>, angle_2: f32) -> vec3<f32> {
@@ -8187,29 +8191,29 @@ fn interfaceLobeDirection(wo_56: vec3<f32>, n_50: vec3<f32>, angle_2: f32) -> ve
     wo_57 = wo_56;
     n_51 = n_50;
     angle_3 = angle_2;
-    let _e45 = wo_57;
-    let _e46 = n_51;
-    let _e48 = n_51;
-    let _e50 = wo_57;
-    across_14 = ((dot(_e45, _e46) * _e48) - _e50);
+    let _e44 = wo_57;
+    let _e45 = n_51;
+    let _e47 = n_51;
+    let _e49 = wo_57;
+    across_14 = ((dot(_e44, _e45) * _e47) - _e49);
+    let _e52 = across_14;
     let _e53 = across_14;
-    let _e54 = across_14;
-    if !((dot(_e53, _e54) > 0.000000000001f)) {
+    if !((dot(_e52, _e53) > 0.000000000001f)) {
+        let _e58 = n_51;
         let _e59 = n_51;
-        let _e60 = n_51;
-        if (abs(_e60.x) < 0.7f) {
+        if (abs(_e59.x) < 0.7f) {
             local_102 = vec3<f32>(1f, 0f, 0f);
         } else {
             local_102 = vec3<f32>(0f, 1f, 0f);
         }
-        let _e74 = local_102;
-        across_14 = cross(_e59, _e74);
+        let _e73 = local_102;
+        across_14 = cross(_e58, _e73);
     }
-    let _e76 = angle_3;
-    let _e78 = across_14;
-    let _e81 = angle_3;
-    let _e83 = n_51;
-    return ((sin(_e76) * normalize(_e78)) - (cos(_e81) * _e83));
+    let _e75 = angle_3;
+    let _e77 = across_14;
+    let _e80 = angle_3;
+    let _e82 = n_51;
+    return ((sin(_e75) * normalize(_e77)) - (cos(_e80) * _e82));
 }
 
 fn pyramidVariance(level_1: f32) -> f32 {
@@ -8217,11 +8221,11 @@ fn pyramidVariance(level_1: f32) -> f32 {
     var scale_5: f32;
 
     level_2 = level_1;
-    let _e42 = level_2;
-    scale_5 = exp2((2f * _e42));
-    let _e47 = scale_5;
-    let _e51 = scale_5;
-    return ((0.25f * (_e47 - 1f)) + (_e51 / 6f));
+    let _e41 = level_2;
+    scale_5 = exp2((2f * _e41));
+    let _e46 = scale_5;
+    let _e50 = scale_5;
+    return ((0.25f * (_e46 - 1f)) + (_e50 / 6f));
 }
 
 fn pyramidLevel(variance_3: f32, lastLevel: f32) -> f32 {
@@ -8235,34 +8239,34 @@ fn pyramidLevel(variance_3: f32, lastLevel: f32) -> f32 {
 
     variance_4 = variance_3;
     lastLevel_1 = lastLevel;
-    let _e43 = variance_4;
-    scale_6 = ((_e43 + 0.25f) / 0.4166667f);
-    let _e54 = scale_6;
-    exact = (0.5f * log2(max(_e54, 1f)));
-    let _e60 = exact;
-    let _e62 = lastLevel_1;
-    below_7 = min(floor(_e60), _e62);
-    let _e65 = below_7;
-    let _e66 = pyramidVariance(_e65);
-    low_8 = _e66;
-    let _e68 = below_7;
-    let _e71 = pyramidVariance((_e68 + 1f));
-    high_3 = _e71;
-    let _e73 = below_7;
-    let _e74 = variance_4;
-    let _e75 = low_8;
-    let _e77 = high_3;
-    let _e78 = low_8;
-    let _e85 = lastLevel_1;
-    return min((_e73 + clamp(((_e74 - _e75) / (_e77 - _e78)), 0f, 1f)), _e85);
+    let _e42 = variance_4;
+    scale_6 = ((_e42 + 0.25f) / 0.4166667f);
+    let _e53 = scale_6;
+    exact = (0.5f * log2(max(_e53, 1f)));
+    let _e59 = exact;
+    let _e61 = lastLevel_1;
+    below_7 = min(floor(_e59), _e61);
+    let _e64 = below_7;
+    let _e65 = pyramidVariance(_e64);
+    low_8 = _e65;
+    let _e67 = below_7;
+    let _e70 = pyramidVariance((_e67 + 1f));
+    high_3 = _e70;
+    let _e72 = below_7;
+    let _e73 = variance_4;
+    let _e74 = low_8;
+    let _e76 = high_3;
+    let _e77 = low_8;
+    let _e84 = lastLevel_1;
+    return min((_e72 + clamp(((_e73 - _e74) / (_e76 - _e77)), 0f, 1f)), _e84);
 }
 
 fn normalIntegral(x_29: f32) -> f32 {
     var x_30: f32;
 
     x_30 = x_29;
-    let _e45 = x_30;
-    return (1f / (1f + exp((-1.702f * _e45))));
+    let _e44 = x_30;
+    return (1f / (1f + exp((-1.702f * _e44))));
 }
 
 fn pyramidCoverage(at_25: vec2<f32>, size_23: vec2<f32>, sigma_10: f32) -> f32 {
@@ -8276,27 +8280,27 @@ fn pyramidCoverage(at_25: vec2<f32>, size_23: vec2<f32>, sigma_10: f32) -> f32 {
     at_26 = at_25;
     size_24 = size_23;
     sigma_11 = sigma_10;
-    let _e46 = sigma_11;
-    inverse = (1f / max(_e46, 0.25f));
-    let _e51 = size_24;
-    let _e53 = at_26;
-    let _e56 = inverse;
-    let _e58 = normalIntegral(((_e51.x - _e53.x) * _e56));
-    let _e59 = at_26;
-    let _e62 = inverse;
-    let _e64 = normalIntegral((-(_e59.x) * _e62));
-    x_31 = (_e58 - _e64);
-    let _e67 = size_24;
-    let _e69 = at_26;
-    let _e72 = inverse;
-    let _e74 = normalIntegral(((_e67.y - _e69.y) * _e72));
-    let _e75 = at_26;
-    let _e78 = inverse;
-    let _e80 = normalIntegral((-(_e75.y) * _e78));
-    y_11 = (_e74 - _e80);
-    let _e83 = x_31;
-    let _e84 = y_11;
-    return clamp((_e83 * _e84), 0f, 1f);
+    let _e45 = sigma_11;
+    inverse = (1f / max(_e45, 0.25f));
+    let _e50 = size_24;
+    let _e52 = at_26;
+    let _e55 = inverse;
+    let _e57 = normalIntegral(((_e50.x - _e52.x) * _e55));
+    let _e58 = at_26;
+    let _e61 = inverse;
+    let _e63 = normalIntegral((-(_e58.x) * _e61));
+    x_31 = (_e57 - _e63);
+    let _e66 = size_24;
+    let _e68 = at_26;
+    let _e71 = inverse;
+    let _e73 = normalIntegral(((_e66.y - _e68.y) * _e71));
+    let _e74 = at_26;
+    let _e77 = inverse;
+    let _e79 = normalIntegral((-(_e74.y) * _e77));
+    y_11 = (_e73 - _e79);
+    let _e82 = x_31;
+    let _e83 = y_11;
+    return clamp((_e82 * _e83), 0f, 1f);
 }
 
 fn lobeVariance(sigma_12: f32, carried: f32, inner_4: f32, inside_3: f32, outside: f32) -> f32 {
@@ -8313,21 +8317,21 @@ fn lobeVariance(sigma_12: f32, carried: f32, inner_4: f32, inside_3: f32, outsid
     inner_5 = inner_4;
     inside_4 = inside_3;
     outside_1 = outside;
-    let _e49 = inside_4;
-    let _e50 = inner_5;
-    offset = (_e49 * _e50);
-    let _e53 = outside_1;
-    let _e54 = sigma_13;
-    angle_4 = (_e53 * _e54);
+    let _e48 = inside_4;
+    let _e49 = inner_5;
+    offset = (_e48 * _e49);
+    let _e52 = outside_1;
+    let _e53 = sigma_13;
+    angle_4 = (_e52 * _e53);
+    let _e56 = angle_4;
     let _e57 = angle_4;
-    let _e58 = angle_4;
-    let _e61 = offset;
-    let _e63 = outside_1;
-    let _e65 = carried_1;
-    let _e66 = sigma_13;
+    let _e60 = offset;
+    let _e62 = outside_1;
+    let _e64 = carried_1;
+    let _e65 = sigma_13;
+    let _e69 = offset;
     let _e70 = offset;
-    let _e71 = offset;
-    return (((_e57 * _e58) + (((2f * _e61) * _e63) * min(_e65, _e66))) + (_e70 * _e71));
+    return (((_e56 * _e57) + (((2f * _e60) * _e62) * min(_e64, _e65))) + (_e69 * _e70));
 }
 
 fn pixelsPerRadian(focal: f32, cosine: f32) -> f32 {
@@ -8336,10 +8340,10 @@ fn pixelsPerRadian(focal: f32, cosine: f32) -> f32 {
 
     focal_1 = focal;
     cosine_1 = cosine;
-    let _e43 = focal_1;
+    let _e42 = focal_1;
+    let _e43 = cosine_1;
     let _e44 = cosine_1;
-    let _e45 = cosine_1;
-    return (_e43 / (_e44 * sqrt(_e45)));
+    return (_e42 / (_e43 * sqrt(_e44)));
 }
 
 fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5: SceneIntersection, view_31: SceneView) -> vec3<f32> {
@@ -8374,137 +8378,139 @@ fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5
     inside_6 = inside_5;
     met_6 = met_5;
     view_32 = view_31;
-    let _e49 = met_6;
-    ends = (_e49.metres >= 0f);
-    let _e54 = ends;
-    if _e54 {
-        let _e55 = origin_17;
-        let _e56 = met_6;
-        let _e58 = lobe_9;
-        local_103 = (_e55 + (_e56.metres * _e58.direction));
+    let _e48 = met_6;
+    ends = (_e48.metres >= 0f);
+    let _e53 = ends;
+    if _e53 {
+        let _e54 = origin_17;
+        let _e55 = met_6;
+        let _e57 = lobe_9;
+        local_103 = (_e54 + (_e55.metres * _e57.direction));
     } else {
-        let _e62 = lobe_9;
-        local_103 = _e62.direction;
+        let _e61 = lobe_9;
+        local_103 = _e61.direction;
     }
-    let _e65 = local_103;
-    place = _e65;
-    let _e67 = view_32;
-    let _e69 = place;
-    let _e70 = ends;
-    if _e70 {
+    let _e64 = local_103;
+    place = _e64;
+    let _e66 = view_32;
+    let _e68 = place;
+    let _e69 = ends;
+    if _e69 {
         local_104 = 1f;
     } else {
         local_104 = 0f;
     }
-    let _e74 = local_104;
-    clip_4 = (_e67.clipFromWorld * vec4<f32>(_e69.x, _e69.y, _e69.z, _e74));
-    let _e86 = met_6;
-    let _e88 = clip_4;
-    if (_e86.seen && (_e88.w > 0f)) {
+    let _e73 = local_104;
+    clip_4 = (_e66.clipFromWorld * vec4<f32>(_e68.x, _e68.y, _e68.z, _e73));
+    let _e85 = met_6;
+    let _e87 = clip_4;
+    if (_e85.seen && (_e87.w > 0f)) {
         {
-            let _e93 = ends;
-            if _e93 {
-                let _e94 = place;
-                let _e95 = view_32;
-                local_105 = (_e94 - _e95.eye);
+            let _e92 = ends;
+            if _e92 {
+                let _e93 = place;
+                let _e94 = view_32;
+                local_105 = (_e93 - _e94.eye);
             } else {
-                let _e98 = lobe_9;
-                local_105 = _e98.direction;
+                let _e97 = lobe_9;
+                local_105 = _e97.direction;
             }
-            let _e101 = local_105;
-            fromEye = _e101;
-            let _e103 = fromEye;
-            range_2 = length(_e103);
-            let _e106 = lobe_9;
-            let _e108 = lobe_9;
-            let _e110 = lobe_9;
-            let _e112 = inside_6;
-            let _e113 = met_6;
-            let _e115 = lobeVariance(_e106.sigma, _e108.carried, _e110.inner, _e112, _e113.metres);
-            metres = sqrt(_e115);
-            let _e118 = ends;
-            if _e118 {
-                let _e119 = metres;
-                let _e120 = range_2;
-                local_106 = (_e119 / _e120);
+            let _e100 = local_105;
+            fromEye = _e100;
+            let _e102 = fromEye;
+            range_2 = length(_e102);
+            let _e105 = lobe_9;
+            let _e107 = lobe_9;
+            let _e109 = lobe_9;
+            let _e111 = inside_6;
+            let _e112 = met_6;
+            let _e114 = lobeVariance(_e105.sigma, _e107.carried, _e109.inner, _e111, _e112.metres);
+            let _e115 = met_6;
+            let _e117 = met_6;
+            metres = sqrt((_e114 + (_e115.behind * _e117.behind)));
+            let _e123 = ends;
+            if _e123 {
+                let _e124 = metres;
+                let _e125 = range_2;
+                local_106 = (_e124 / _e125);
             } else {
-                let _e122 = lobe_9;
-                local_106 = _e122.sigma;
+                let _e127 = lobe_9;
+                local_106 = _e127.sigma;
             }
-            let _e125 = local_106;
-            let _e126 = view_32;
-            let _e128 = clip_4;
-            let _e130 = range_2;
-            let _e134 = pixelsPerRadian(_e126.focal, min((_e128.w / _e130), 1f));
-            pixels = (_e125 * _e134);
-            let _e137 = clip_4;
-            let _e138 = view_32;
-            let _e140 = scenePixel(_e137, _e138.size);
-            at_27 = _e140;
-            let _e142 = at_27;
-            let _e144 = at_27;
-            let _e145 = view_32;
-            outside_2 = max(max(-(_e142), (_e144 - _e145.size)), vec2(0f));
-            let _e153 = outside_2;
-            let _e154 = outside_2;
-            far_1 = dot(_e153, _e154);
-            let _e157 = ends;
-            if _e157 {
-                let _e160 = far_1;
-                let _e162 = view_32;
-                let _e165 = view_32;
-                local_107 = exp(((-0.5f * _e160) / (_e162.size.y * _e165.size.y)));
+            let _e130 = local_106;
+            let _e131 = view_32;
+            let _e133 = clip_4;
+            let _e135 = range_2;
+            let _e139 = pixelsPerRadian(_e131.focal, min((_e133.w / _e135), 1f));
+            pixels = (_e130 * _e139);
+            let _e142 = clip_4;
+            let _e143 = view_32;
+            let _e145 = scenePixel(_e142, _e143.size);
+            at_27 = _e145;
+            let _e147 = at_27;
+            let _e149 = at_27;
+            let _e150 = view_32;
+            outside_2 = max(max(-(_e147), (_e149 - _e150.size)), vec2(0f));
+            let _e158 = outside_2;
+            let _e159 = outside_2;
+            far_1 = dot(_e158, _e159);
+            let _e162 = ends;
+            if _e162 {
+                let _e165 = far_1;
+                let _e167 = view_32;
+                let _e170 = view_32;
+                local_107 = exp(((-0.5f * _e165) / (_e167.size.y * _e170.size.y)));
             } else {
-                let _e171 = at_27;
-                let _e172 = view_32;
-                let _e174 = pixels;
-                let _e175 = pyramidCoverage(_e171, _e172.size, _e174);
-                local_107 = _e175;
+                let _e176 = at_27;
+                let _e177 = view_32;
+                let _e179 = pixels;
+                let _e180 = pyramidCoverage(_e176, _e177.size, _e179);
+                local_107 = _e180;
             }
-            let _e177 = local_107;
-            share_5 = _e177;
-            let _e178 = share_5;
-            if (_e178 > 0f) {
+            let _e182 = local_107;
+            share_5 = _e182;
+            let _e183 = share_5;
+            if (_e183 > 0f) {
                 {
-                    let _e181 = at_27;
-                    let _e182 = pixels;
-                    let _e183 = pixels;
-                    let _e185 = far_1;
-                    let _e187 = engineSceneColor(_e181, ((_e182 * _e183) + _e185));
-                    shown = _e187;
-                    let _e189 = share_5;
-                    let _e191 = shown;
-                    share_5 = (_e189 * min((2f * _e191.w), 1f));
-                    let _e197 = shown;
-                    if (_e197.w > 0f) {
-                        let _e201 = shown;
-                        let _e203 = shown;
-                        let _e205 = shown;
+                    let _e186 = at_27;
+                    let _e187 = pixels;
+                    let _e188 = pixels;
+                    let _e190 = far_1;
+                    let _e192 = engineSceneColor(_e186, ((_e187 * _e188) + _e190));
+                    shown = _e192;
+                    let _e194 = share_5;
+                    let _e196 = shown;
+                    share_5 = (_e194 * min((2f * _e196.w), 1f));
+                    let _e202 = shown;
+                    if (_e202.w > 0f) {
+                        let _e206 = shown;
                         let _e208 = shown;
-                        local_108 = (vec3<f32>(_e201.x, _e203.y, _e205.z) / vec3(_e208.w));
+                        let _e210 = shown;
+                        let _e213 = shown;
+                        local_108 = (vec3<f32>(_e206.x, _e208.y, _e210.z) / vec3(_e213.w));
                     } else {
                         local_108 = vec3(0f);
                     }
-                    let _e215 = local_108;
-                    near_1 = _e215;
+                    let _e220 = local_108;
+                    near_1 = _e220;
                 }
             }
         }
     }
-    let _e216 = share_5;
-    if (_e216 >= 0.999f) {
-        let _e219 = near_1;
-        local_109 = _e219;
+    let _e221 = share_5;
+    if (_e221 >= 0.999f) {
+        let _e224 = near_1;
+        local_109 = _e224;
     } else {
-        let _e220 = lobe_9;
-        let _e222 = lobe_9;
-        let _e224 = engineEnvironment(_e220.direction, _e222.sigma);
-        let _e225 = near_1;
-        let _e226 = share_5;
-        local_109 = mix(_e224, _e225, vec3(_e226));
+        let _e225 = lobe_9;
+        let _e227 = lobe_9;
+        let _e229 = engineEnvironment(_e225.direction, _e227.sigma);
+        let _e230 = near_1;
+        let _e231 = share_5;
+        local_109 = mix(_e229, _e230, vec3(_e231));
     }
-    let _e230 = local_109;
-    return _e230;
+    let _e235 = local_109;
+    return _e235;
 }
 
 fn engineFaceEnergy(cosTheta_51: f32, alpha_102: f32, eta_64: f32) -> InterfaceEnergy {
@@ -8515,13 +8521,13 @@ fn engineFaceEnergy(cosTheta_51: f32, alpha_102: f32, eta_64: f32) -> InterfaceE
     cosTheta_52 = cosTheta_51;
     alpha_103 = alpha_102;
     eta_65 = eta_64;
-    let _e45 = cosTheta_52;
-    let _e46 = alpha_103;
-    let _e47 = eta_65;
-    let _e48 = interfaceEnergyCoordinate(_e45, _e46, _e47);
-    let _e49 = engineInterfaceEnergy(_e48);
-    let _e50 = interfaceEnergy(_e49);
-    return _e50;
+    let _e44 = cosTheta_52;
+    let _e45 = alpha_103;
+    let _e46 = eta_65;
+    let _e47 = interfaceEnergyCoordinate(_e44, _e45, _e46);
+    let _e48 = engineInterfaceEnergy(_e47);
+    let _e49 = interfaceEnergy(_e48);
+    return _e49;
 }
 
 fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
@@ -8537,52 +8543,52 @@ fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
     face_11 = face_10;
     ior_1 = ior;
     view_34 = view_33;
-    let _e45 = face_11;
-    let _e47 = face_11;
-    cosTheta_53 = dot(_e45.wo, _e47.n);
-    let _e51 = cosTheta_53;
-    let _e52 = face_11;
-    let _e54 = ior_1;
-    let _e55 = engineFaceEnergy(_e51, _e52.alpha, _e54);
-    energy_3 = _e55.reflected;
-    let _e58 = cosTheta_53;
-    let _e59 = face_11;
-    let _e61 = ior_1;
-    let _e62 = fresnelNormalIncidence(_e61);
-    let _e63 = energy_3;
-    let _e64 = edgeShare(_e62, _e63);
-    let _e65 = lobeCoordinate(_e58, _e59.alpha, _e64);
-    let _e66 = engineReflectionLobe(_e65);
-    texel_9 = _e66;
-    let _e71 = cosTheta_53;
-    let _e73 = face_11;
-    let _e76 = face_11;
-    let _e79 = face_11;
-    let _e81 = texel_9;
-    let _e83 = lobeDirection((((2f * _e71) * _e73.n) - _e76.wo), _e79.n, _e81.x);
-    lobe_10.direction = _e83;
-    let _e85 = texel_9;
-    let _e87 = texel_9;
-    let _e90 = face_11;
-    let _e93 = face_11;
-    let _e97 = face_11;
-    lobe_10.sigma = sqrt(((((_e85.y * _e87.y) * _e90.alpha) * _e93.alpha) + (4f * _e97.turn)));
-    let _e103 = energy_3;
-    lobe_10.weight = _e103;
+    let _e44 = face_11;
+    let _e46 = face_11;
+    cosTheta_53 = dot(_e44.wo, _e46.n);
+    let _e50 = cosTheta_53;
+    let _e51 = face_11;
+    let _e53 = ior_1;
+    let _e54 = engineFaceEnergy(_e50, _e51.alpha, _e53);
+    energy_3 = _e54.reflected;
+    let _e57 = cosTheta_53;
+    let _e58 = face_11;
+    let _e60 = ior_1;
+    let _e61 = fresnelNormalIncidence(_e60);
+    let _e62 = energy_3;
+    let _e63 = edgeShare(_e61, _e62);
+    let _e64 = lobeCoordinate(_e57, _e58.alpha, _e63);
+    let _e65 = engineReflectionLobe(_e64);
+    texel_9 = _e65;
+    let _e70 = cosTheta_53;
+    let _e72 = face_11;
+    let _e75 = face_11;
+    let _e78 = face_11;
+    let _e80 = texel_9;
+    let _e82 = lobeDirection((((2f * _e70) * _e72.n) - _e75.wo), _e78.n, _e80.x);
+    lobe_10.direction = _e82;
+    let _e84 = texel_9;
+    let _e86 = texel_9;
+    let _e89 = face_11;
+    let _e92 = face_11;
+    let _e96 = face_11;
+    lobe_10.sigma = sqrt(((((_e84.y * _e86.y) * _e89.alpha) * _e92.alpha) + (4f * _e96.turn)));
+    let _e102 = energy_3;
+    lobe_10.weight = _e102;
     lobe_10.inner = 0f;
     lobe_10.carried = 0f;
-    let _e108 = face_11;
-    let _e110 = lobe_10;
-    let _e112 = view_34;
-    let _e113 = sceneIntersection(_e108.position, _e110.direction, _e112);
-    met_7 = _e113;
-    let _e115 = energy_3;
-    let _e116 = lobe_10;
-    let _e117 = face_11;
-    let _e120 = met_7;
-    let _e121 = view_34;
-    let _e122 = lobeRadiance(_e116, _e117.position, 0f, _e120, _e121);
-    return (_e115 * _e122);
+    let _e107 = face_11;
+    let _e109 = lobe_10;
+    let _e111 = view_34;
+    let _e112 = sceneIntersection(_e107.position, _e109.direction, _e111);
+    met_7 = _e112;
+    let _e114 = energy_3;
+    let _e115 = lobe_10;
+    let _e116 = face_11;
+    let _e119 = met_7;
+    let _e120 = view_34;
+    let _e121 = lobeRadiance(_e115, _e116.position, 0f, _e119, _e120);
+    return (_e114 * _e121);
 }
 
 fn internalScatteringLossGgx() -> InternalScatteringLoss {
@@ -8592,8 +8598,8 @@ fn internalScatteringLossGgx() -> InternalScatteringLoss {
     k_26.constant = 0.254f;
     k_26.thin = 1.078f;
     k_26.passes = 0.3f;
-    let _e48 = k_26;
-    return _e48;
+    let _e47 = k_26;
+    return _e47;
 }
 
 fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
@@ -8603,8 +8609,8 @@ fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
     k_27.constant = 1.555f;
     k_27.thin = 0.565f;
     k_27.passes = 0f;
-    let _e48 = k_27;
-    return _e48;
+    let _e47 = k_27;
+    return _e47;
 }
 
 fn internalScatteringPasses(ior_2: f32) -> f32 {
@@ -8614,26 +8620,26 @@ fn internalScatteringPasses(ior_2: f32) -> f32 {
     var local_110: f32;
 
     ior_3 = ior_2;
-    let _e41 = ior_3;
-    let _e43 = ior_3;
-    eta_66 = max(_e41, (1f / _e43));
-    let _e49 = eta_66;
-    let _e50 = fresnelTransmittedAt(0.355051f, _e49);
-    let _e54 = eta_66;
-    let _e55 = fresnelTransmittedAt(0.844949f, _e54);
-    passes = ((0.363917f * _e50) + (0.636083f * _e55));
-    let _e59 = ior_3;
-    if (_e59 > 1f) {
-        let _e62 = passes;
+    let _e40 = ior_3;
+    let _e42 = ior_3;
+    eta_66 = max(_e40, (1f / _e42));
+    let _e48 = eta_66;
+    let _e49 = fresnelTransmittedAt(0.355051f, _e48);
+    let _e53 = eta_66;
+    let _e54 = fresnelTransmittedAt(0.844949f, _e53);
+    passes = ((0.363917f * _e49) + (0.636083f * _e54));
+    let _e58 = ior_3;
+    if (_e58 > 1f) {
+        let _e61 = passes;
+        let _e62 = ior_3;
         let _e63 = ior_3;
-        let _e64 = ior_3;
-        local_110 = (_e62 / (_e63 * _e64));
+        local_110 = (_e61 / (_e62 * _e63));
     } else {
-        let _e67 = passes;
-        local_110 = _e67;
+        let _e66 = passes;
+        local_110 = _e66;
     }
-    let _e69 = local_110;
-    return _e69;
+    let _e68 = local_110;
+    return _e68;
 }
 
 fn internalScatteringAt(alpha_104: f32, ior_4: f32, k_28: InternalScatteringLoss) -> InternalScattering {
@@ -8648,30 +8654,30 @@ fn internalScatteringAt(alpha_104: f32, ior_4: f32, k_28: InternalScatteringLoss
     alpha_105 = alpha_104;
     ior_5 = ior_4;
     k_29 = k_28;
-    let _e45 = ior_5;
-    let _e46 = internalScatteringPasses(_e45);
-    smoothly = _e46;
+    let _e44 = ior_5;
+    let _e45 = internalScatteringPasses(_e44);
+    smoothly = _e45;
+    let _e47 = alpha_105;
     let _e48 = alpha_105;
-    let _e49 = alpha_105;
-    alpha2_1 = (_e48 * _e49);
+    alpha2_1 = (_e47 * _e48);
+    let _e51 = alpha2_1;
     let _e52 = alpha2_1;
-    let _e53 = alpha2_1;
-    let _e54 = k_29;
-    let _e56 = alpha_105;
-    let _e59 = k_29;
-    let _e64 = k_29;
-    let _e66 = alpha_105;
-    let _e68 = smoothly;
-    lost_2 = ((_e52 / ((_e53 + (_e54.linear * _e56)) + _e59.constant)) * max((1f - ((_e64.thin * _e66) * max((_e68 - 0.4f), 0f))), 0f));
-    let _e81 = smoothly;
-    let _e83 = k_29;
-    let _e85 = alpha2_1;
-    w_33.passes = (_e81 * (1f - (_e83.passes * _e85)));
-    let _e91 = w_33;
-    let _e94 = lost_2;
-    w_33.back = max(((1f - _e91.passes) - _e94), 0f);
-    let _e98 = w_33;
-    return _e98;
+    let _e53 = k_29;
+    let _e55 = alpha_105;
+    let _e58 = k_29;
+    let _e63 = k_29;
+    let _e65 = alpha_105;
+    let _e67 = smoothly;
+    lost_2 = ((_e51 / ((_e52 + (_e53.linear * _e55)) + _e58.constant)) * max((1f - ((_e63.thin * _e65) * max((_e67 - 0.4f), 0f))), 0f));
+    let _e80 = smoothly;
+    let _e82 = k_29;
+    let _e84 = alpha2_1;
+    w_33.passes = (_e80 * (1f - (_e82.passes * _e84)));
+    let _e90 = w_33;
+    let _e93 = lost_2;
+    w_33.back = max(((1f - _e90.passes) - _e93), 0f);
+    let _e97 = w_33;
+    return _e97;
 }
 
 fn internalScatteringConcave(w_34: InternalScattering, again: f32) -> InternalScattering {
@@ -8681,15 +8687,15 @@ fn internalScatteringConcave(w_34: InternalScattering, again: f32) -> InternalSc
 
     w_35 = w_34;
     again_1 = again;
-    let _e46 = again_1;
-    let _e48 = w_35;
-    concave.passes = ((1f - _e46) * _e48.passes);
-    let _e52 = w_35;
-    let _e54 = again_1;
-    let _e55 = w_35;
-    concave.back = (_e52.back + (_e54 * _e55.passes));
-    let _e59 = concave;
-    return _e59;
+    let _e45 = again_1;
+    let _e47 = w_35;
+    concave.passes = ((1f - _e45) * _e47.passes);
+    let _e51 = w_35;
+    let _e53 = again_1;
+    let _e54 = w_35;
+    concave.back = (_e51.back + (_e53 * _e54.passes));
+    let _e58 = concave;
+    return _e58;
 }
 
 fn internalScatteringEscapes(w_36: InternalScattering, way_7: vec3<f32>) -> vec3<f32> {
@@ -8698,12 +8704,12 @@ fn internalScatteringEscapes(w_36: InternalScattering, way_7: vec3<f32>) -> vec3
 
     w_37 = w_36;
     way_8 = way_7;
-    let _e43 = w_37;
-    let _e45 = way_8;
-    let _e49 = w_37;
-    let _e51 = way_8;
-    let _e54 = w_37;
-    return ((_e43.passes * _e45) / max((vec3(1f) - (_e49.back * _e51)), vec3(_e54.passes)));
+    let _e42 = w_37;
+    let _e44 = way_8;
+    let _e48 = w_37;
+    let _e50 = way_8;
+    let _e53 = w_37;
+    return ((_e42.passes * _e44) / max((vec3(1f) - (_e48.back * _e50)), vec3(_e53.passes)));
 }
 
 fn engineFaceLobe(lobe_11: i32, cosTheta_54: f32, alpha_106: f32, eta_67: f32) -> InterfaceLobe {
@@ -8716,17 +8722,17 @@ fn engineFaceLobe(lobe_11: i32, cosTheta_54: f32, alpha_106: f32, eta_67: f32) -
     cosTheta_55 = cosTheta_54;
     alpha_107 = alpha_106;
     eta_68 = eta_67;
-    let _e48 = lobe_12;
-    let _e50 = cosTheta_55;
-    let _e51 = alpha_107;
-    let _e52 = eta_68;
-    let _e53 = interfaceLobeCoordinate(_e48, 2i, _e50, _e51, _e52);
-    let _e54 = engineInterfaceLobe(_e53);
-    let _e55 = cosTheta_55;
-    let _e56 = alpha_107;
-    let _e57 = eta_68;
-    let _e58 = interfaceLobe(_e54, _e55, _e56, _e57);
-    return _e58;
+    let _e47 = lobe_12;
+    let _e49 = cosTheta_55;
+    let _e50 = alpha_107;
+    let _e51 = eta_68;
+    let _e52 = interfaceLobeCoordinate(_e47, 2i, _e49, _e50, _e51);
+    let _e53 = engineInterfaceLobe(_e52);
+    let _e54 = cosTheta_55;
+    let _e55 = alpha_107;
+    let _e56 = eta_68;
+    let _e57 = interfaceLobe(_e53, _e54, _e55, _e56);
+    return _e57;
 }
 
 fn engineEnteringLobe(lobe_13: i32, face_12: GlassFace, ior_6: f32, energy_4: f32) -> InnerLobe {
@@ -8745,49 +8751,49 @@ fn engineEnteringLobe(lobe_13: i32, face_12: GlassFace, ior_6: f32, energy_4: f3
     face_13 = face_12;
     ior_7 = ior_6;
     energy_5 = energy_4;
-    let _e48 = lobe_14;
-    let _e49 = face_13;
-    let _e51 = face_13;
-    let _e54 = face_13;
-    let _e56 = ior_7;
-    let _e57 = engineFaceLobe(_e48, dot(_e49.wo, _e51.n), _e54.alpha, _e56);
-    read_ = _e57;
-    let _e60 = ior_7;
-    matched = (abs((_e60 - 1f)) < INDEX_MATCHED);
-    let _e67 = matched;
-    if _e67 {
-        let _e68 = face_13;
-        local_111 = -(_e68.wo);
+    let _e47 = lobe_14;
+    let _e48 = face_13;
+    let _e50 = face_13;
+    let _e53 = face_13;
+    let _e55 = ior_7;
+    let _e56 = engineFaceLobe(_e47, dot(_e48.wo, _e50.n), _e53.alpha, _e55);
+    read_ = _e56;
+    let _e59 = ior_7;
+    matched = (abs((_e59 - 1f)) < INDEX_MATCHED);
+    let _e66 = matched;
+    if _e66 {
+        let _e67 = face_13;
+        local_111 = -(_e67.wo);
     } else {
-        let _e71 = face_13;
-        let _e73 = face_13;
-        let _e75 = read_;
-        let _e77 = interfaceLobeDirection(_e71.wo, _e73.n, _e75.angle);
-        local_111 = _e77;
+        let _e70 = face_13;
+        let _e72 = face_13;
+        let _e74 = read_;
+        let _e76 = interfaceLobeDirection(_e70.wo, _e72.n, _e74.angle);
+        local_111 = _e76;
     }
-    let _e79 = local_111;
-    inner_6.direction = _e79;
-    let _e81 = matched;
-    if _e81 {
+    let _e78 = local_111;
+    inner_6.direction = _e78;
+    let _e80 = matched;
+    if _e80 {
         local_112 = 0f;
     } else {
-        let _e83 = read_;
-        local_112 = _e83.sigma;
+        let _e82 = read_;
+        local_112 = _e82.sigma;
     }
-    let _e86 = local_112;
-    inner_6.sigma = _e86;
-    let _e88 = read_;
-    let _e90 = matched;
-    if _e90 {
+    let _e85 = local_112;
+    inner_6.sigma = _e85;
+    let _e87 = read_;
+    let _e89 = matched;
+    if _e89 {
         local_113 = 1f;
     } else {
-        let _e92 = energy_5;
-        local_113 = _e92;
+        let _e91 = energy_5;
+        local_113 = _e91;
     }
-    let _e94 = local_113;
-    inner_6.weight = (_e88.weight * _e94);
-    let _e96 = inner_6;
-    return _e96;
+    let _e93 = local_113;
+    inner_6.weight = (_e87.weight * _e93);
+    let _e95 = inner_6;
+    return _e95;
 }
 
 fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: Widening) -> ComposedPair {
@@ -8807,73 +8813,73 @@ fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: 
     core_7 = core_6;
     s_20 = s_19;
     k_31 = k_30;
-    let _e48 = inner_8;
-    let _e49 = core_7;
-    let _e50 = s_20;
-    let _e51 = k_31;
-    let _e52 = seeExit(_e48, _e49, _e50, _e51);
-    view_35 = _e52;
-    let _e54 = view_35;
-    cosTheta_56 = max(_e54.cosTheta, 0f);
-    let _e59 = s_20;
-    if (abs((_e59.eta - 1f)) < INDEX_MATCHED) {
+    let _e47 = inner_8;
+    let _e48 = core_7;
+    let _e49 = s_20;
+    let _e50 = k_31;
+    let _e51 = seeExit(_e47, _e48, _e49, _e50);
+    view_35 = _e51;
+    let _e53 = view_35;
+    cosTheta_56 = max(_e53.cosTheta, 0f);
+    let _e58 = s_20;
+    if (abs((_e58.eta - 1f)) < INDEX_MATCHED) {
         local_114 = 1f;
     } else {
-        let _e66 = cosTheta_56;
-        let _e67 = view_35;
-        let _e69 = s_20;
-        let _e71 = engineFaceEnergy(_e66, _e67.alphaEnergy, _e69.eta);
-        local_114 = _e71.transmitted;
+        let _e65 = cosTheta_56;
+        let _e66 = view_35;
+        let _e68 = s_20;
+        let _e70 = engineFaceEnergy(_e65, _e66.alphaEnergy, _e68.eta);
+        local_114 = _e70.transmitted;
     }
-    let _e74 = local_114;
-    energy_6 = _e74;
-    let _e77 = cosTheta_56;
-    let _e78 = view_35;
-    let _e80 = s_20;
-    let _e82 = engineFaceLobe(0i, _e77, _e78.alphaShape, _e80.eta);
-    first_8 = _e82;
-    let _e84 = view_35;
-    if (_e84.alphaShape < SMOOTH_ALPHA) {
+    let _e73 = local_114;
+    energy_6 = _e73;
+    let _e76 = cosTheta_56;
+    let _e77 = view_35;
+    let _e79 = s_20;
+    let _e81 = engineFaceLobe(0i, _e76, _e77.alphaShape, _e79.eta);
+    first_8 = _e81;
+    let _e83 = view_35;
+    if (_e83.alphaShape < SMOOTH_ALPHA) {
         {
-            let _e89 = inner_8;
-            let _e90 = view_35;
-            let _e91 = s_20;
-            let _e92 = first_8;
-            let _e94 = first_8;
-            let _e97 = energy_6;
-            let _e98 = composeLobe(_e89, _e90, _e91, _e92.angle, _e94.sigma, 1f, _e97);
-            one_1.core = _e98;
-            let _e100 = one_1;
-            one_1.rest = _e100.core;
+            let _e88 = inner_8;
+            let _e89 = view_35;
+            let _e90 = s_20;
+            let _e91 = first_8;
+            let _e93 = first_8;
+            let _e96 = energy_6;
+            let _e97 = composeLobe(_e88, _e89, _e90, _e91.angle, _e93.sigma, 1f, _e96);
+            one_1.core = _e97;
+            let _e99 = one_1;
+            one_1.rest = _e99.core;
             one_1.rest.weight = 0f;
-            let _e105 = one_1;
-            return _e105;
+            let _e104 = one_1;
+            return _e104;
         }
     }
-    let _e107 = cosTheta_56;
-    let _e108 = view_35;
-    let _e110 = s_20;
-    let _e112 = engineFaceLobe(1i, _e107, _e108.alphaShape, _e110.eta);
-    second_1 = _e112;
-    let _e114 = inner_8;
-    let _e115 = view_35;
-    let _e116 = s_20;
-    let _e117 = first_8;
-    let _e119 = first_8;
-    let _e121 = first_8;
-    let _e123 = energy_6;
-    let _e124 = composeLobe(_e114, _e115, _e116, _e117.angle, _e119.sigma, _e121.weight, _e123);
-    let _e125 = inner_8;
-    let _e126 = view_35;
-    let _e127 = s_20;
-    let _e128 = second_1;
-    let _e130 = second_1;
-    let _e132 = second_1;
-    let _e134 = energy_6;
-    let _e135 = composeLobe(_e125, _e126, _e127, _e128.angle, _e130.sigma, _e132.weight, _e134);
-    let _e136 = view_35;
-    let _e137 = composedPair(_e124, _e135, _e136);
-    return _e137;
+    let _e106 = cosTheta_56;
+    let _e107 = view_35;
+    let _e109 = s_20;
+    let _e111 = engineFaceLobe(1i, _e106, _e107.alphaShape, _e109.eta);
+    second_1 = _e111;
+    let _e113 = inner_8;
+    let _e114 = view_35;
+    let _e115 = s_20;
+    let _e116 = first_8;
+    let _e118 = first_8;
+    let _e120 = first_8;
+    let _e122 = energy_6;
+    let _e123 = composeLobe(_e113, _e114, _e115, _e116.angle, _e118.sigma, _e120.weight, _e122);
+    let _e124 = inner_8;
+    let _e125 = view_35;
+    let _e126 = s_20;
+    let _e127 = second_1;
+    let _e129 = second_1;
+    let _e131 = second_1;
+    let _e133 = energy_6;
+    let _e134 = composeLobe(_e124, _e125, _e126, _e127.angle, _e129.sigma, _e131.weight, _e133);
+    let _e135 = view_35;
+    let _e136 = composedPair(_e123, _e134, _e135);
+    return _e136;
 }
 
 fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLobe, entered: f32, e_8: ConvexExit, passed: f32) -> vec3<f32> {
@@ -8902,70 +8908,70 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     entered_1 = entered;
     e_9 = e_8;
     passed_1 = passed;
-    let _e53 = inner_10;
-    let _e55 = e_9;
-    cosTheta_57 = max(dot(_e53.direction, _e55.surface.n), 0f);
-    let _e62 = cosTheta_57;
-    let _e63 = body_3;
-    let _e65 = e_9;
-    let _e68 = engineFaceEnergy(_e62, _e63.backAlpha, _e65.surface.eta);
-    own_2 = _e68;
-    let _e72 = passed_1;
-    w_38.passes = _e72;
-    let _e74 = own_2;
-    let _e76 = own_2;
-    let _e79 = passed_1;
-    w_38.back = clamp(((_e74.transmitted + _e76.reflected) - _e79), 0f, 0.99f);
-    let _e84 = inner_10;
-    let _e87 = cosTheta_57;
-    let _e89 = e_9;
-    reflected = (_e84.direction - ((2f * _e87) * _e89.surface.n));
-    let _e95 = body_3;
-    let _e97 = body_3;
-    q_2 = clamp((_e95.thickness * _e97.curvature), 0f, 2f);
-    let _e104 = face_15;
-    let _e106 = e_9;
-    let _e110 = cosTheta_57;
-    let _e112 = reflected;
-    let _e116 = q_2;
-    near_2 = normalize(mix(_e104.n, (_e106.surface.n + ((2f * _e110) * _e112)), vec3((0.5f * _e116))));
-    let _e122 = reflected;
-    let _e124 = near_2;
-    let _e126 = e_9;
-    let _e129 = refractAbout(-(_e122), -(_e124), _e126.surface.eta);
-    outward_3 = _e129;
-    let _e131 = inner_10;
-    let _e133 = inner_10;
-    let _e137 = body_3;
-    let _e140 = body_3;
-    let _e145 = body_3;
-    spread_5 = (sqrt(((_e131.sigma * _e133.sigma) + ((4f * _e137.backAlpha) * _e140.backAlpha))) * _e145.ior);
-    let _e149 = e_9;
-    let _e152 = body_3;
-    way_9 = exp((-(_e149.path) * _e152.attenuation));
+    let _e52 = inner_10;
+    let _e54 = e_9;
+    cosTheta_57 = max(dot(_e52.direction, _e54.surface.n), 0f);
+    let _e61 = cosTheta_57;
+    let _e62 = body_3;
+    let _e64 = e_9;
+    let _e67 = engineFaceEnergy(_e61, _e62.backAlpha, _e64.surface.eta);
+    own_2 = _e67;
+    let _e71 = passed_1;
+    w_38.passes = _e71;
+    let _e73 = own_2;
+    let _e75 = own_2;
+    let _e78 = passed_1;
+    w_38.back = clamp(((_e73.transmitted + _e75.reflected) - _e78), 0f, 0.99f);
+    let _e83 = inner_10;
+    let _e86 = cosTheta_57;
+    let _e88 = e_9;
+    reflected = (_e83.direction - ((2f * _e86) * _e88.surface.n));
+    let _e94 = body_3;
+    let _e96 = body_3;
+    q_2 = clamp((_e94.thickness * _e96.curvature), 0f, 2f);
+    let _e103 = face_15;
+    let _e105 = e_9;
+    let _e109 = cosTheta_57;
+    let _e111 = reflected;
+    let _e115 = q_2;
+    near_2 = normalize(mix(_e103.n, (_e105.surface.n + ((2f * _e109) * _e111)), vec3((0.5f * _e115))));
+    let _e121 = reflected;
+    let _e123 = near_2;
+    let _e125 = e_9;
+    let _e128 = refractAbout(-(_e121), -(_e123), _e125.surface.eta);
+    outward_3 = _e128;
+    let _e130 = inner_10;
+    let _e132 = inner_10;
+    let _e136 = body_3;
+    let _e139 = body_3;
+    let _e144 = body_3;
+    spread_5 = (sqrt(((_e130.sigma * _e132.sigma) + ((4f * _e136.backAlpha) * _e139.backAlpha))) * _e144.ior);
+    let _e148 = e_9;
+    let _e151 = body_3;
+    way_9 = exp((-(_e148.path) * _e151.attenuation));
+    let _e156 = outward_3;
     let _e157 = outward_3;
-    let _e158 = outward_3;
-    if (dot(_e157, _e158) > 0f) {
-        let _e162 = outward_3;
-        local_115 = _e162;
+    if (dot(_e156, _e157) > 0f) {
+        let _e161 = outward_3;
+        local_115 = _e161;
     } else {
-        let _e163 = near_2;
-        local_115 = _e163;
+        let _e162 = near_2;
+        local_115 = _e162;
     }
-    let _e165 = local_115;
-    direction_26 = _e165;
-    let _e167 = direction_26;
-    let _e168 = spread_5;
-    let _e171 = engineEnvironment(_e167, min(_e168, 0.606f));
-    seen_2 = (SCATTERED_SEEN * _e171);
-    let _e174 = entered_1;
-    let _e175 = w_38;
-    let _e178 = way_9;
-    let _e180 = w_38;
-    let _e181 = way_9;
-    let _e182 = internalScatteringEscapes(_e180, _e181);
-    let _e184 = seen_2;
-    return ((((_e174 * _e175.back) * _e178) * _e182) * _e184);
+    let _e164 = local_115;
+    direction_26 = _e164;
+    let _e166 = direction_26;
+    let _e167 = spread_5;
+    let _e170 = engineEnvironment(_e166, min(_e167, 0.606f));
+    seen_2 = (SCATTERED_SEEN * _e170);
+    let _e173 = entered_1;
+    let _e174 = w_38;
+    let _e177 = way_9;
+    let _e179 = w_38;
+    let _e180 = way_9;
+    let _e181 = internalScatteringEscapes(_e179, _e180);
+    let _e183 = seen_2;
+    return ((((_e173 * _e174.back) * _e177) * _e181) * _e183);
 }
 
 fn enterGlass(face_16: GlassFace, ior_8: f32) -> Entering {
@@ -8975,33 +8981,33 @@ fn enterGlass(face_16: GlassFace, ior_8: f32) -> Entering {
 
     face_17 = face_16;
     ior_9 = ior_8;
-    let _e47 = face_17;
-    let _e49 = face_17;
-    let _e52 = face_17;
-    let _e54 = ior_9;
-    let _e55 = engineFaceEnergy(dot(_e47.wo, _e49.n), _e52.alpha, _e54);
-    e_10.energy = _e55.transmitted;
-    let _e59 = face_17;
-    let _e60 = ior_9;
-    let _e61 = e_10;
-    let _e63 = engineEnteringLobe(0i, _e59, _e60, _e61.energy);
-    e_10.core = _e63;
-    let _e65 = e_10;
-    e_10.tail = _e65.core;
+    let _e46 = face_17;
+    let _e48 = face_17;
+    let _e51 = face_17;
+    let _e53 = ior_9;
+    let _e54 = engineFaceEnergy(dot(_e46.wo, _e48.n), _e51.alpha, _e53);
+    e_10.energy = _e54.transmitted;
+    let _e58 = face_17;
+    let _e59 = ior_9;
+    let _e60 = e_10;
+    let _e62 = engineEnteringLobe(0i, _e58, _e59, _e60.energy);
+    e_10.core = _e62;
+    let _e64 = e_10;
+    e_10.tail = _e64.core;
     e_10.tail.weight = 0f;
-    let _e70 = face_17;
-    if (_e70.alpha < SMOOTH_ALPHA) {
-        let _e75 = e_10;
-        e_10.core.weight = _e75.energy;
+    let _e69 = face_17;
+    if (_e69.alpha < SMOOTH_ALPHA) {
+        let _e74 = e_10;
+        e_10.core.weight = _e74.energy;
     } else {
-        let _e79 = face_17;
-        let _e80 = ior_9;
-        let _e81 = e_10;
-        let _e83 = engineEnteringLobe(1i, _e79, _e80, _e81.energy);
-        e_10.tail = _e83;
+        let _e78 = face_17;
+        let _e79 = ior_9;
+        let _e80 = e_10;
+        let _e82 = engineEnteringLobe(1i, _e78, _e79, _e80.energy);
+        e_10.tail = _e82;
     }
-    let _e84 = e_10;
-    return _e84;
+    let _e83 = e_10;
+    return _e83;
 }
 
 fn leaveGlass(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, coreExit: ConvexExit, tailExit: ConvexExit, k_32: Widening) -> Leaving {
@@ -9021,42 +9027,42 @@ fn leaveGlass(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, coreExit: 
     coreExit_1 = coreExit;
     tailExit_1 = tailExit;
     k_33 = k_32;
-    let _e55 = e_12;
-    let _e58 = coreExit_1;
-    let _e60 = k_33;
-    let _e61 = engineLeavingPair(_e55.core, true, _e58.surface, _e60);
-    leaving.pair = _e61;
-    let _e63 = e_12;
-    if (_e63.core.weight > 0f) {
-        let _e68 = leaving;
-        let _e72 = leaving;
-        let _e77 = e_12;
-        local_116 = ((_e68.pair.core.weight + _e72.pair.rest.weight) / _e77.core.weight);
+    let _e54 = e_12;
+    let _e57 = coreExit_1;
+    let _e59 = k_33;
+    let _e60 = engineLeavingPair(_e54.core, true, _e57.surface, _e59);
+    leaving.pair = _e60;
+    let _e62 = e_12;
+    if (_e62.core.weight > 0f) {
+        let _e67 = leaving;
+        let _e71 = leaving;
+        let _e76 = e_12;
+        local_116 = ((_e67.pair.core.weight + _e71.pair.rest.weight) / _e76.core.weight);
     } else {
         local_116 = 0f;
     }
-    let _e83 = local_116;
-    leaving.passed = _e83;
-    let _e84 = e_12;
-    if (_e84.tail.weight > 0f) {
-        let _e90 = leaving;
-        let _e92 = e_12;
-        let _e95 = tailExit_1;
-        let _e97 = k_33;
-        let _e98 = engineLeavingPair(_e92.tail, false, _e95.surface, _e97);
-        let _e99 = mergePairs(_e90.pair, _e98);
-        leaving.pair = _e99;
+    let _e82 = local_116;
+    leaving.passed = _e82;
+    let _e83 = e_12;
+    if (_e83.tail.weight > 0f) {
+        let _e89 = leaving;
+        let _e91 = e_12;
+        let _e94 = tailExit_1;
+        let _e96 = k_33;
+        let _e97 = engineLeavingPair(_e91.tail, false, _e94.surface, _e96);
+        let _e98 = mergePairs(_e89.pair, _e97);
+        leaving.pair = _e98;
     }
-    let _e103 = body_5;
-    bent = (2f * (1f - (1f / _e103.ior)));
-    let _e112 = leaving;
-    let _e116 = leaving;
+    let _e102 = body_5;
+    bent = (2f * (1f - (1f / _e102.ior)));
+    let _e111 = leaving;
+    let _e115 = leaving;
+    let _e120 = bent;
     let _e121 = bent;
-    let _e122 = bent;
-    let _e124 = face_19;
-    leaving.pair.core.sigma = sqrt(((_e112.pair.core.sigma * _e116.pair.core.sigma) + ((_e121 * _e122) * _e124.turn)));
-    let _e129 = leaving;
-    return _e129;
+    let _e123 = face_19;
+    leaving.pair.core.sigma = sqrt(((_e111.pair.core.sigma * _e115.pair.core.sigma) + ((_e120 * _e121) * _e123.turn)));
+    let _e128 = leaving;
+    return _e128;
 }
 
 fn pairRadiance(pair_3: ComposedPair, origin_18: vec3<f32>, inside_7: f32, view_36: SceneView) -> vec3<f32> {
@@ -9073,40 +9079,40 @@ fn pairRadiance(pair_3: ComposedPair, origin_18: vec3<f32>, inside_7: f32, view_
     origin_19 = origin_18;
     inside_8 = inside_7;
     view_37 = view_36;
-    let _e49 = origin_19;
-    let _e50 = pair_4;
-    let _e53 = view_37;
-    let _e54 = sceneIntersection(_e49, _e50.core.direction, _e53);
-    met_8 = _e54;
-    let _e59 = pair_4;
-    lobe_15 = _e59.core;
+    let _e48 = origin_19;
+    let _e49 = pair_4;
+    let _e52 = view_37;
+    let _e53 = sceneIntersection(_e48, _e49.core.direction, _e52);
+    met_8 = _e53;
+    let _e58 = pair_4;
+    lobe_15 = _e58.core;
     loop {
-        let _e64 = which_8;
-        let _e67 = which_8;
-        let _e70 = lobe_15;
-        if !(((_e64 < 2i) && ((_e67 == 0i) || (_e70.weight > 0f)))) {
+        let _e63 = which_8;
+        let _e66 = which_8;
+        let _e69 = lobe_15;
+        if !(((_e63 < 2i) && ((_e66 == 0i) || (_e69.weight > 0f)))) {
             break;
         }
         {
-            let _e80 = sum_14;
-            let _e81 = lobe_15;
-            let _e83 = lobe_15;
-            let _e84 = origin_19;
-            let _e85 = inside_8;
-            let _e86 = met_8;
-            let _e87 = view_37;
-            let _e88 = lobeRadiance(_e83, _e84, _e85, _e86, _e87);
-            sum_14 = (_e80 + (_e81.weight * _e88));
-            let _e91 = pair_4;
-            lobe_15 = _e91.rest;
+            let _e79 = sum_14;
+            let _e80 = lobe_15;
+            let _e82 = lobe_15;
+            let _e83 = origin_19;
+            let _e84 = inside_8;
+            let _e85 = met_8;
+            let _e86 = view_37;
+            let _e87 = lobeRadiance(_e82, _e83, _e84, _e85, _e86);
+            sum_14 = (_e79 + (_e80.weight * _e87));
+            let _e90 = pair_4;
+            lobe_15 = _e90.rest;
         }
         continuing {
-            let _e77 = which_8;
-            which_8 = (_e77 + 1i);
+            let _e76 = which_8;
+            which_8 = (_e76 + 1i);
         }
     }
-    let _e93 = sum_14;
-    return _e93;
+    let _e92 = sum_14;
+    return _e92;
 }
 
 fn refractThrough(face_20: GlassFace, body_6: ConvexBody, e_13: Entering, origin_20: vec3<f32>, coreExit_2: ConvexExit, tailExit_2: ConvexExit, view_38: SceneView, k_34: Widening) -> vec3<f32> {
@@ -9129,31 +9135,31 @@ fn refractThrough(face_20: GlassFace, body_6: ConvexBody, e_13: Entering, origin
     tailExit_3 = tailExit_2;
     view_39 = view_38;
     k_35 = k_34;
-    let _e57 = face_21;
-    let _e58 = body_7;
-    let _e59 = e_14;
-    let _e60 = coreExit_3;
-    let _e61 = tailExit_3;
-    let _e62 = k_35;
-    let _e63 = leaveGlass(_e57, _e58, _e59, _e60, _e61, _e62);
-    left_2 = _e63;
-    let _e65 = left_2;
-    let _e67 = origin_21;
-    let _e68 = coreExit_3;
-    let _e70 = view_39;
-    let _e71 = pairRadiance(_e65.pair, _e67, _e68.path, _e70);
-    sum_15 = _e71;
-    let _e73 = sum_15;
-    let _e74 = coreExit_3;
-    let _e77 = body_7;
-    let _e82 = face_21;
-    let _e83 = body_7;
-    let _e84 = e_14;
-    let _e86 = e_14;
-    let _e88 = coreExit_3;
-    let _e89 = left_2;
-    let _e91 = internallyReflected(_e82, _e83, _e84.core, _e86.energy, _e88, _e89.passed);
-    return ((_e73 * exp((-(_e74.path) * _e77.attenuation))) + _e91);
+    let _e56 = face_21;
+    let _e57 = body_7;
+    let _e58 = e_14;
+    let _e59 = coreExit_3;
+    let _e60 = tailExit_3;
+    let _e61 = k_35;
+    let _e62 = leaveGlass(_e56, _e57, _e58, _e59, _e60, _e61);
+    left_2 = _e62;
+    let _e64 = left_2;
+    let _e66 = origin_21;
+    let _e67 = coreExit_3;
+    let _e69 = view_39;
+    let _e70 = pairRadiance(_e64.pair, _e66, _e67.path, _e69);
+    sum_15 = _e70;
+    let _e72 = sum_15;
+    let _e73 = coreExit_3;
+    let _e76 = body_7;
+    let _e81 = face_21;
+    let _e82 = body_7;
+    let _e83 = e_14;
+    let _e85 = e_14;
+    let _e87 = coreExit_3;
+    let _e88 = left_2;
+    let _e90 = internallyReflected(_e81, _e82, _e83.core, _e85.energy, _e87, _e88.passed);
+    return ((_e72 * exp((-(_e73.path) * _e76.attenuation))) + _e90);
 }
 
 fn refractConvex(face_22: GlassFace, body_8: ConvexBody, view_40: SceneView, k_36: Widening) -> vec3<f32> {
@@ -9169,32 +9175,32 @@ fn refractConvex(face_22: GlassFace, body_8: ConvexBody, view_40: SceneView, k_3
     body_9 = body_8;
     view_41 = view_40;
     k_37 = k_36;
-    let _e49 = face_23;
-    let _e50 = body_9;
-    let _e52 = enterGlass(_e49, _e50.ior);
-    e_15 = _e52;
-    let _e54 = face_23;
-    let _e56 = e_15;
-    let _e59 = body_9;
-    let _e60 = convexExit(_e54.n, _e56.core.direction, _e59);
-    core_8 = _e60;
-    let _e62 = face_23;
-    let _e64 = core_8;
-    let _e66 = e_15;
-    origin_22 = (_e62.position + (_e64.path * _e66.core.direction));
-    let _e72 = face_23;
-    let _e73 = body_9;
-    let _e74 = e_15;
-    let _e75 = origin_22;
-    let _e76 = core_8;
-    let _e77 = face_23;
-    let _e79 = e_15;
-    let _e82 = body_9;
-    let _e83 = convexExit(_e77.n, _e79.tail.direction, _e82);
-    let _e84 = view_41;
-    let _e85 = k_37;
-    let _e86 = refractThrough(_e72, _e73, _e74, _e75, _e76, _e83, _e84, _e85);
-    return _e86;
+    let _e48 = face_23;
+    let _e49 = body_9;
+    let _e51 = enterGlass(_e48, _e49.ior);
+    e_15 = _e51;
+    let _e53 = face_23;
+    let _e55 = e_15;
+    let _e58 = body_9;
+    let _e59 = convexExit(_e53.n, _e55.core.direction, _e58);
+    core_8 = _e59;
+    let _e61 = face_23;
+    let _e63 = core_8;
+    let _e65 = e_15;
+    origin_22 = (_e61.position + (_e63.path * _e65.core.direction));
+    let _e71 = face_23;
+    let _e72 = body_9;
+    let _e73 = e_15;
+    let _e74 = origin_22;
+    let _e75 = core_8;
+    let _e76 = face_23;
+    let _e78 = e_15;
+    let _e81 = body_9;
+    let _e82 = convexExit(_e76.n, _e78.tail.direction, _e81);
+    let _e83 = view_41;
+    let _e84 = k_37;
+    let _e85 = refractThrough(_e71, _e72, _e73, _e74, _e75, _e82, _e83, _e84);
+    return _e85;
 }
 
 fn wayOut(origin_23: vec3<f32>, lobe_16: InnerLobe, eta_69: f32, which_9: FaceLayer, reflections: i32, view_42: SceneView) -> WayOut {
@@ -9219,89 +9225,89 @@ fn wayOut(origin_23: vec3<f32>, lobe_16: InnerLobe, eta_69: f32, which_9: FaceLa
     which_10 = which_9;
     reflections_1 = reflections;
     view_43 = view_42;
-    let _e55 = lobe_17;
-    way_10.lobe = _e55;
-    let _e57 = origin_24;
-    way_10.point = _e57;
-    let _e59 = lobe_17;
-    let _e61 = eta_70;
-    let _e62 = noBackFace(_e59.direction, _e61);
-    way_10.exit = _e62.exit;
+    let _e54 = lobe_17;
+    way_10.lobe = _e54;
+    let _e56 = origin_24;
+    way_10.point = _e56;
+    let _e58 = lobe_17;
+    let _e60 = eta_70;
+    let _e61 = noBackFace(_e58.direction, _e60);
+    way_10.exit = _e61.exit;
     way_10.found = false;
-    let _e66 = lobe_17;
-    onward = _e66;
+    let _e65 = lobe_17;
+    onward = _e65;
     loop {
-        let _e72 = k_38;
-        let _e73 = reflections_1;
-        if !((_e72 <= _e73)) {
+        let _e71 = k_38;
+        let _e72 = reflections_1;
+        if !((_e71 <= _e72)) {
             break;
         }
         {
-            let _e79 = way_10;
-            let _e81 = onward;
-            let _e83 = first_9;
-            let _e84 = eta_70;
-            let _e85 = which_10;
-            let _e86 = view_43;
-            let _e87 = backFaceExit(_e79.point, _e81.direction, _e83, _e84, _e85, _e86);
-            seen_3 = _e87;
-            let _e89 = seen_3;
-            if !(_e89.found) {
+            let _e78 = way_10;
+            let _e80 = onward;
+            let _e82 = first_9;
+            let _e83 = eta_70;
+            let _e84 = which_10;
+            let _e85 = view_43;
+            let _e86 = backFaceExit(_e78.point, _e80.direction, _e82, _e83, _e84, _e85);
+            seen_3 = _e86;
+            let _e88 = seen_3;
+            if !(_e88.found) {
                 break;
             }
-            let _e92 = way_10;
-            before = _e92.exit.path;
-            let _e97 = onward;
-            way_10.lobe = _e97;
-            let _e99 = seen_3;
-            way_10.exit = _e99.exit;
-            let _e103 = before;
-            let _e104 = seen_3;
-            way_10.exit.path = (_e103 + _e104.exit.path);
-            let _e109 = way_10;
-            let _e111 = seen_3;
-            let _e114 = onward;
-            way_10.point = (_e109.point + (_e111.exit.path * _e114.direction));
+            let _e91 = way_10;
+            before = _e91.exit.path;
+            let _e96 = onward;
+            way_10.lobe = _e96;
+            let _e98 = seen_3;
+            way_10.exit = _e98.exit;
+            let _e102 = before;
+            let _e103 = seen_3;
+            way_10.exit.path = (_e102 + _e103.exit.path);
+            let _e108 = way_10;
+            let _e110 = seen_3;
+            let _e113 = onward;
+            way_10.point = (_e108.point + (_e110.exit.path * _e113.direction));
             way_10.found = true;
-            let _e120 = onward;
-            let _e122 = seen_3;
-            cosTheta_58 = dot(_e120.direction, _e122.exit.surface.n);
-            let _e128 = k_38;
-            let _e129 = reflections_1;
-            let _e132 = cosTheta_58;
-            let _e135 = cosTheta_58;
+            let _e119 = onward;
+            let _e121 = seen_3;
+            cosTheta_58 = dot(_e119.direction, _e121.exit.surface.n);
+            let _e127 = k_38;
+            let _e128 = reflections_1;
+            let _e131 = cosTheta_58;
+            let _e134 = cosTheta_58;
+            let _e137 = eta_70;
             let _e138 = eta_70;
-            let _e139 = eta_70;
-            if ((_e128 == _e129) || (((1f - _e132) * (1f + _e135)) < (_e138 * _e139))) {
+            if ((_e127 == _e128) || (((1f - _e131) * (1f + _e134)) < (_e137 * _e138))) {
                 break;
             }
-            let _e143 = seen_3;
-            alpha_108 = _e143.exit.surface.alpha;
-            let _e149 = onward;
-            let _e152 = cosTheta_58;
-            let _e154 = seen_3;
-            onward.direction = (_e149.direction - ((2f * _e152) * _e154.exit.surface.n));
-            let _e161 = onward;
-            let _e163 = onward;
-            let _e167 = alpha_108;
-            let _e169 = alpha_108;
-            onward.sigma = sqrt(((_e161.sigma * _e163.sigma) + ((4f * _e167) * _e169)));
-            let _e174 = onward;
-            let _e176 = cosTheta_58;
-            let _e177 = alpha_108;
-            let _e178 = eta_70;
-            let _e179 = engineFaceEnergy(_e176, _e177, _e178);
-            onward.weight = (_e174.weight * _e179.reflected);
-            let _e183 = seen_3;
-            first_9 = (0.5f * _e183.exit.path);
+            let _e142 = seen_3;
+            alpha_108 = _e142.exit.surface.alpha;
+            let _e148 = onward;
+            let _e151 = cosTheta_58;
+            let _e153 = seen_3;
+            onward.direction = (_e148.direction - ((2f * _e151) * _e153.exit.surface.n));
+            let _e160 = onward;
+            let _e162 = onward;
+            let _e166 = alpha_108;
+            let _e168 = alpha_108;
+            onward.sigma = sqrt(((_e160.sigma * _e162.sigma) + ((4f * _e166) * _e168)));
+            let _e173 = onward;
+            let _e175 = cosTheta_58;
+            let _e176 = alpha_108;
+            let _e177 = eta_70;
+            let _e178 = engineFaceEnergy(_e175, _e176, _e177);
+            onward.weight = (_e173.weight * _e178.reflected);
+            let _e182 = seen_3;
+            first_9 = (0.5f * _e182.exit.path);
         }
         continuing {
-            let _e76 = k_38;
-            k_38 = (_e76 + 1i);
+            let _e75 = k_38;
+            k_38 = (_e75 + 1i);
         }
     }
-    let _e187 = way_10;
-    return _e187;
+    let _e186 = way_10;
+    return _e186;
 }
 
 fn convexWayOut(face_24: GlassFace, lobe_18: InnerLobe, body_10: ConvexBody) -> WayOut {
@@ -9313,20 +9319,20 @@ fn convexWayOut(face_24: GlassFace, lobe_18: InnerLobe, body_10: ConvexBody) -> 
     face_25 = face_24;
     lobe_19 = lobe_18;
     body_11 = body_10;
-    let _e49 = lobe_19;
-    way_11.lobe = _e49;
-    let _e51 = face_25;
-    let _e53 = lobe_19;
-    let _e55 = body_11;
-    let _e56 = convexExit(_e51.n, _e53.direction, _e55);
-    way_11.exit = _e56;
-    let _e58 = face_25;
-    let _e60 = way_11;
-    let _e63 = lobe_19;
-    way_11.point = (_e58.position + (_e60.exit.path * _e63.direction));
+    let _e48 = lobe_19;
+    way_11.lobe = _e48;
+    let _e50 = face_25;
+    let _e52 = lobe_19;
+    let _e54 = body_11;
+    let _e55 = convexExit(_e50.n, _e52.direction, _e54);
+    way_11.exit = _e55;
+    let _e57 = face_25;
+    let _e59 = way_11;
+    let _e62 = lobe_19;
+    way_11.point = (_e57.position + (_e59.exit.path * _e62.direction));
     way_11.found = false;
-    let _e69 = way_11;
-    return _e69;
+    let _e68 = way_11;
+    return _e68;
 }
 
 fn leavingFaces(layer_2: i32, number: f32) -> FaceLayer {
@@ -9336,13 +9342,13 @@ fn leavingFaces(layer_2: i32, number: f32) -> FaceLayer {
 
     layer_3 = layer_2;
     number_1 = number;
-    let _e47 = layer_3;
-    which_11.layer = _e47;
+    let _e46 = layer_3;
+    which_11.layer = _e46;
     which_11.side = 1f;
-    let _e51 = number_1;
-    which_11.number = _e51;
-    let _e52 = which_11;
-    return _e52;
+    let _e50 = number_1;
+    which_11.number = _e50;
+    let _e51 = which_11;
+    return _e51;
 }
 
 fn waysOut(face_26: GlassFace, body_12: ConvexBody, entered_2: Entering, last_2: i32, number_2: f32, reflections_2: i32, view_44: SceneView) -> WaysOut {
@@ -9367,90 +9373,90 @@ fn waysOut(face_26: GlassFace, body_12: ConvexBody, entered_2: Entering, last_2:
     number_3 = number_2;
     reflections_3 = reflections_2;
     view_45 = view_44;
-    let _e57 = face_27;
-    let _e58 = entered_3;
-    let _e60 = body_13;
-    let _e61 = convexWayOut(_e57, _e58.core, _e60);
-    ways.core = _e61;
-    let _e63 = face_27;
-    let _e64 = entered_3;
-    let _e66 = body_13;
-    let _e67 = convexWayOut(_e63, _e64.tail, _e66);
-    ways.tail = _e67;
+    let _e56 = face_27;
+    let _e57 = entered_3;
+    let _e59 = body_13;
+    let _e60 = convexWayOut(_e56, _e57.core, _e59);
+    ways.core = _e60;
+    let _e62 = face_27;
+    let _e63 = entered_3;
+    let _e65 = body_13;
+    let _e66 = convexWayOut(_e62, _e63.tail, _e65);
+    ways.tail = _e66;
     loop {
-        let _e70 = which_12;
-        if !((_e70 < 2i)) {
+        let _e69 = which_12;
+        if !((_e69 < 2i)) {
             break;
         }
         {
-            let _e77 = entered_3;
-            lobe_20 = _e77.core;
-            let _e80 = which_12;
-            if (_e80 == 1i) {
-                let _e83 = entered_3;
-                lobe_20 = _e83.tail;
+            let _e76 = entered_3;
+            lobe_20 = _e76.core;
+            let _e79 = which_12;
+            if (_e79 == 1i) {
+                let _e82 = entered_3;
+                lobe_20 = _e82.tail;
             }
-            let _e85 = which_12;
-            let _e88 = lobe_20;
-            let _e93 = ways;
-            if ((_e85 == 1i) && (!((_e88.weight > 0f)) || !(_e93.core.found))) {
+            let _e84 = which_12;
+            let _e87 = lobe_20;
+            let _e92 = ways;
+            if ((_e84 == 1i) && (!((_e87.weight > 0f)) || !(_e92.core.found))) {
                 break;
             }
-            let _e99 = ways;
-            way_12 = _e99.core;
-            let _e103 = lobe_20;
-            way_12.lobe = _e103;
+            let _e98 = ways;
+            way_12 = _e98.core;
+            let _e102 = lobe_20;
+            way_12.lobe = _e102;
             way_12.found = false;
             layer_4 = BACK_FACES;
             loop {
-                let _e107 = layer_4;
-                let _e108 = last_3;
-                let _e110 = way_12;
-                if !(((_e107 <= _e108) && !(_e110.found))) {
+                let _e106 = layer_4;
+                let _e107 = last_3;
+                let _e109 = way_12;
+                if !(((_e106 <= _e107) && !(_e109.found))) {
                     break;
                 }
                 {
-                    let _e118 = layer_4;
-                    if (_e118 == SECOND_FRONTS) {
+                    let _e117 = layer_4;
+                    if (_e117 == SECOND_FRONTS) {
                         continue;
                     }
-                    let _e120 = face_27;
-                    let _e122 = lobe_20;
-                    let _e124 = body_13;
-                    let _e127 = layer_4;
-                    let _e128 = number_3;
-                    let _e129 = leavingFaces(_e127, _e128);
-                    let _e130 = reflections_3;
-                    let _e131 = view_45;
-                    let _e132 = wayOut(_e120.position, _e122, (1f / _e124.ior), _e129, _e130, _e131);
-                    seen_4 = _e132;
-                    let _e134 = seen_4;
-                    if _e134.found {
-                        let _e136 = seen_4;
-                        way_12 = _e136;
+                    let _e119 = face_27;
+                    let _e121 = lobe_20;
+                    let _e123 = body_13;
+                    let _e126 = layer_4;
+                    let _e127 = number_3;
+                    let _e128 = leavingFaces(_e126, _e127);
+                    let _e129 = reflections_3;
+                    let _e130 = view_45;
+                    let _e131 = wayOut(_e119.position, _e121, (1f / _e123.ior), _e128, _e129, _e130);
+                    seen_4 = _e131;
+                    let _e133 = seen_4;
+                    if _e133.found {
+                        let _e135 = seen_4;
+                        way_12 = _e135;
                     }
                 }
                 continuing {
-                    let _e115 = layer_4;
-                    layer_4 = (_e115 + 1i);
+                    let _e114 = layer_4;
+                    layer_4 = (_e114 + 1i);
                 }
             }
-            let _e137 = which_12;
-            if (_e137 == 0i) {
-                let _e141 = way_12;
-                ways.core = _e141;
+            let _e136 = which_12;
+            if (_e136 == 0i) {
+                let _e140 = way_12;
+                ways.core = _e140;
             } else {
-                let _e143 = way_12;
-                ways.tail = _e143;
+                let _e142 = way_12;
+                ways.tail = _e142;
             }
         }
         continuing {
-            let _e74 = which_12;
-            which_12 = (_e74 + 1i);
+            let _e73 = which_12;
+            which_12 = (_e73 + 1i);
         }
     }
-    let _e144 = ways;
-    return _e144;
+    let _e143 = ways;
+    return _e143;
 }
 
 fn refractFrontBack(face_28: GlassFace, body_14: ConvexBody, number_4: f32, view_46: SceneView, k_39: Widening) -> vec3<f32> {
@@ -9467,31 +9473,31 @@ fn refractFrontBack(face_28: GlassFace, body_14: ConvexBody, number_4: f32, view
     number_5 = number_4;
     view_47 = view_46;
     k_40 = k_39;
-    let _e51 = face_29;
-    let _e52 = body_15;
-    let _e54 = enterGlass(_e51, _e52.ior);
-    entered_4 = _e54;
-    let _e56 = face_29;
-    let _e57 = body_15;
-    let _e58 = entered_4;
-    let _e59 = number_5;
-    let _e61 = view_47;
-    let _e62 = waysOut(_e56, _e57, _e58, BACK_FACES, _e59, 1i, _e61);
-    ways_1 = _e62;
-    let _e65 = ways_1;
-    entered_4.core = _e65.core.lobe;
-    let _e69 = ways_1;
-    entered_4.tail = _e69.tail.lobe;
-    let _e72 = face_29;
-    let _e73 = body_15;
-    let _e74 = entered_4;
-    let _e75 = ways_1;
-    let _e78 = ways_1;
-    let _e81 = ways_1;
-    let _e84 = view_47;
-    let _e85 = k_40;
-    let _e86 = refractThrough(_e72, _e73, _e74, _e75.core.point, _e78.core.exit, _e81.tail.exit, _e84, _e85);
-    return _e86;
+    let _e50 = face_29;
+    let _e51 = body_15;
+    let _e53 = enterGlass(_e50, _e51.ior);
+    entered_4 = _e53;
+    let _e55 = face_29;
+    let _e56 = body_15;
+    let _e57 = entered_4;
+    let _e58 = number_5;
+    let _e60 = view_47;
+    let _e61 = waysOut(_e55, _e56, _e57, BACK_FACES, _e58, 1i, _e60);
+    ways_1 = _e61;
+    let _e64 = ways_1;
+    entered_4.core = _e64.core.lobe;
+    let _e68 = ways_1;
+    entered_4.tail = _e68.tail.lobe;
+    let _e71 = face_29;
+    let _e72 = body_15;
+    let _e73 = entered_4;
+    let _e74 = ways_1;
+    let _e77 = ways_1;
+    let _e80 = ways_1;
+    let _e83 = view_47;
+    let _e84 = k_40;
+    let _e85 = refractThrough(_e71, _e72, _e73, _e74.core.point, _e77.core.exit, _e80.tail.exit, _e83, _e84);
+    return _e85;
 }
 
 fn lobeSide(direction_27: vec3<f32>) -> vec3<f32> {
@@ -9501,22 +9507,22 @@ fn lobeSide(direction_27: vec3<f32>) -> vec3<f32> {
     var local_117: vec3<f32>;
 
     direction_28 = direction_27;
-    let _e43 = direction_28;
-    let _e46 = direction_28;
-    level_3 = vec3<f32>(_e43.z, 0f, -(_e46.x));
+    let _e42 = direction_28;
+    let _e45 = direction_28;
+    level_3 = vec3<f32>(_e42.z, 0f, -(_e45.x));
+    let _e50 = level_3;
     let _e51 = level_3;
-    let _e52 = level_3;
-    s_21 = dot(_e51, _e52);
-    let _e55 = s_21;
-    if (_e55 > 0f) {
-        let _e58 = level_3;
-        let _e59 = s_21;
-        local_117 = (_e58 * inverseSqrt(_e59));
+    s_21 = dot(_e50, _e51);
+    let _e54 = s_21;
+    if (_e54 > 0f) {
+        let _e57 = level_3;
+        let _e58 = s_21;
+        local_117 = (_e57 * inverseSqrt(_e58));
     } else {
         local_117 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e67 = local_117;
-    return _e67;
+    let _e66 = local_117;
+    return _e66;
 }
 
 fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2: f32, part_2: vec3<f32>) -> LobeStratum {
@@ -9540,72 +9546,72 @@ fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
     inner_12 = inner_11;
     carried_3 = carried_2;
     part_3 = part_2;
-    let _e51 = direction_30;
-    let _e52 = lobeSide(_e51);
-    side_4 = _e52;
-    let _e54 = part_3;
-    let _e56 = side_4;
-    let _e58 = part_3;
-    let _e60 = direction_30;
-    let _e61 = side_4;
-    off_3 = ((_e54.x * _e56) + (_e58.y * cross(_e60, _e61)));
-    let _e66 = sigma_15;
-    let _e67 = off_3;
-    turn_2 = (_e66 * length(_e67));
-    let _e73 = turn_2;
-    let _e75 = direction_30;
-    let _e77 = turn_2;
-    if (_e77 > 0f) {
-        let _e80 = turn_2;
-        let _e82 = turn_2;
-        local_118 = (sin(_e80) / _e82);
+    let _e50 = direction_30;
+    let _e51 = lobeSide(_e50);
+    side_4 = _e51;
+    let _e53 = part_3;
+    let _e55 = side_4;
+    let _e57 = part_3;
+    let _e59 = direction_30;
+    let _e60 = side_4;
+    off_3 = ((_e53.x * _e55) + (_e57.y * cross(_e59, _e60)));
+    let _e65 = sigma_15;
+    let _e66 = off_3;
+    turn_2 = (_e65 * length(_e66));
+    let _e72 = turn_2;
+    let _e74 = direction_30;
+    let _e76 = turn_2;
+    if (_e76 > 0f) {
+        let _e79 = turn_2;
+        let _e81 = turn_2;
+        local_118 = (sin(_e79) / _e81);
     } else {
         local_118 = 1f;
     }
-    let _e86 = local_118;
-    let _e87 = sigma_15;
-    let _e89 = off_3;
-    p_17.direction = ((cos(_e73) * _e75) + ((_e86 * _e87) * _e89));
-    let _e93 = part_3;
-    let _e95 = sigma_15;
-    p_17.sigma = (_e93.z * _e95);
-    let _e97 = sigma_15;
-    if (_e97 > 0f) {
-        let _e100 = carried_3;
-        let _e101 = sigma_15;
-        local_119 = clamp((_e100 / _e101), -1f, 1f);
+    let _e85 = local_118;
+    let _e86 = sigma_15;
+    let _e88 = off_3;
+    p_17.direction = ((cos(_e72) * _e74) + ((_e85 * _e86) * _e88));
+    let _e92 = part_3;
+    let _e94 = sigma_15;
+    p_17.sigma = (_e92.z * _e94);
+    let _e96 = sigma_15;
+    if (_e96 > 0f) {
+        let _e99 = carried_3;
+        let _e100 = sigma_15;
+        local_119 = clamp((_e99 / _e100), -1f, 1f);
     } else {
         local_119 = 0f;
     }
-    let _e109 = local_119;
-    together = _e109;
-    let _e112 = together;
-    let _e113 = inner_12;
-    let _e115 = off_3;
-    p_17.aside = ((_e112 * _e113) * _e115);
+    let _e108 = local_119;
+    together = _e108;
+    let _e111 = together;
+    let _e112 = inner_12;
+    let _e114 = off_3;
+    p_17.aside = ((_e111 * _e112) * _e114);
+    let _e117 = together;
     let _e118 = together;
-    let _e119 = together;
-    let _e122 = part_3;
-    let _e124 = part_3;
-    rest_5 = sqrt(max((1f - ((_e118 * _e119) * (1f - (_e122.z * _e124.z)))), 0f));
-    let _e135 = rest_5;
-    let _e136 = inner_12;
-    p_17.inner = (_e135 * _e136);
-    let _e139 = rest_5;
-    if (_e139 > 0f) {
-        let _e142 = together;
-        let _e143 = sigma_15;
-        let _e145 = part_3;
-        let _e148 = part_3;
-        let _e151 = rest_5;
-        local_120 = ((((_e142 * _e143) * _e145.z) * _e148.z) / _e151);
+    let _e121 = part_3;
+    let _e123 = part_3;
+    rest_5 = sqrt(max((1f - ((_e117 * _e118) * (1f - (_e121.z * _e123.z)))), 0f));
+    let _e134 = rest_5;
+    let _e135 = inner_12;
+    p_17.inner = (_e134 * _e135);
+    let _e138 = rest_5;
+    if (_e138 > 0f) {
+        let _e141 = together;
+        let _e142 = sigma_15;
+        let _e144 = part_3;
+        let _e147 = part_3;
+        let _e150 = rest_5;
+        local_120 = ((((_e141 * _e142) * _e144.z) * _e147.z) / _e150);
     } else {
         local_120 = 0f;
     }
-    let _e155 = local_120;
-    p_17.carried = _e155;
-    let _e156 = p_17;
-    return _e156;
+    let _e154 = local_120;
+    p_17.carried = _e154;
+    let _e155 = p_17;
+    return _e155;
 }
 
 fn thinWallCoordinate(lobe_21: i32, lobes_8: i32, cosTheta_59: f32, alpha_109: f32, eta_71: f32) -> vec3<f32> {
@@ -9620,16 +9626,16 @@ fn thinWallCoordinate(lobe_21: i32, lobes_8: i32, cosTheta_59: f32, alpha_109: f
     cosTheta_60 = cosTheta_59;
     alpha_110 = alpha_109;
     eta_72 = eta_71;
-    let _e54 = cosTheta_60;
-    let _e58 = tableCoordinate(sqrt(max(_e54, 0f)), THIN_WALL_COSINES);
-    let _e59 = alpha_110;
-    let _e63 = lobe_22;
-    let _e64 = lobes_9;
-    let _e65 = blockCoordinate(sqrt(max(_e59, 0f)), THIN_WALL_ALPHAS, _e63, _e64);
-    let _e66 = eta_72;
-    let _e67 = interfaceEtaAxis(_e66);
-    let _e68 = tableCoordinate(_e67, THIN_WALL_SLICES);
-    return vec3<f32>(_e58, _e65, _e68);
+    let _e53 = cosTheta_60;
+    let _e57 = tableCoordinate(sqrt(max(_e53, 0f)), THIN_WALL_COSINES);
+    let _e58 = alpha_110;
+    let _e62 = lobe_22;
+    let _e63 = lobes_9;
+    let _e64 = blockCoordinate(sqrt(max(_e58, 0f)), THIN_WALL_ALPHAS, _e62, _e63);
+    let _e65 = eta_72;
+    let _e66 = interfaceEtaAxis(_e65);
+    let _e67 = tableCoordinate(_e66, THIN_WALL_SLICES);
+    return vec3<f32>(_e57, _e64, _e67);
 }
 
 fn thinWallWidth(cosTheta_61: f32, alpha_111: f32, eta_73: f32) -> f32 {
@@ -9645,34 +9651,34 @@ fn thinWallWidth(cosTheta_61: f32, alpha_111: f32, eta_73: f32) -> f32 {
     cosTheta_62 = cosTheta_61;
     alpha_112 = alpha_111;
     eta_74 = eta_73;
-    let _e50 = cosTheta_62;
-    c_33 = clamp(_e50, 0f, 1f);
-    let _e55 = eta_74;
-    if (_e55 < 1f) {
-        let _e59 = eta_74;
-        local_121 = (1f / max(_e59, 0.01f));
+    let _e49 = cosTheta_62;
+    c_33 = clamp(_e49, 0f, 1f);
+    let _e54 = eta_74;
+    if (_e54 < 1f) {
+        let _e58 = eta_74;
+        local_121 = (1f / max(_e58, 0.01f));
     } else {
-        let _e63 = eta_74;
-        local_121 = _e63;
+        let _e62 = eta_74;
+        local_121 = _e62;
     }
-    let _e65 = local_121;
-    n_52 = _e65;
-    let _e67 = n_52;
-    let _e70 = n_52;
-    let _e74 = c_33;
-    let _e75 = n_52;
-    let _e76 = fresnelG(_e74, _e75);
-    let _e77 = c_33;
-    across_15 = (((_e67 - 1f) * (_e70 + 1f)) / max((_e76 + _e77), 0.000000000000000000000000000001f));
-    let _e84 = alpha_112;
-    let _e86 = across_15;
+    let _e64 = local_121;
+    n_52 = _e64;
+    let _e66 = n_52;
+    let _e69 = n_52;
+    let _e73 = c_33;
+    let _e74 = n_52;
+    let _e75 = fresnelG(_e73, _e74);
+    let _e76 = c_33;
+    across_15 = (((_e66 - 1f) * (_e69 + 1f)) / max((_e75 + _e76), 0.000000000000000000000000000001f));
+    let _e83 = alpha_112;
+    let _e85 = across_15;
+    let _e87 = c_33;
     let _e88 = c_33;
-    let _e89 = c_33;
-    let _e91 = alpha_112;
-    width_7 = (((1.4142135f * _e84) * _e86) * inverseSqrt(sqrt(((_e88 * _e89) + max(_e91, 0.000000000001f)))));
-    let _e99 = width_7;
-    let _e102 = width_7;
-    return (_e99 / (1f + (2f * _e102)));
+    let _e90 = alpha_112;
+    width_7 = (((1.4142135f * _e83) * _e85) * inverseSqrt(sqrt(((_e87 * _e88) + max(_e90, 0.000000000001f)))));
+    let _e98 = width_7;
+    let _e101 = width_7;
+    return (_e98 / (1f + (2f * _e101)));
 }
 
 fn thinWallEnergy(texel_10: vec4<f32>) -> ThinWallEnergy {
@@ -9680,14 +9686,14 @@ fn thinWallEnergy(texel_10: vec4<f32>) -> ThinWallEnergy {
     var e_16: ThinWallEnergy;
 
     texel_11 = texel_10;
-    let _e48 = texel_11;
-    e_16.transmitted = _e48.x;
-    let _e51 = texel_11;
-    e_16.reflectedFirst = _e51.y;
-    let _e54 = texel_11;
-    e_16.reflectedLater = _e54.z;
-    let _e56 = e_16;
-    return _e56;
+    let _e47 = texel_11;
+    e_16.transmitted = _e47.x;
+    let _e50 = texel_11;
+    e_16.reflectedFirst = _e50.y;
+    let _e53 = texel_11;
+    e_16.reflectedLater = _e53.z;
+    let _e55 = e_16;
+    return _e55;
 }
 
 fn thinWallLaterSpread(eta_75: f32) -> f32 {
@@ -9696,21 +9702,21 @@ fn thinWallLaterSpread(eta_75: f32) -> f32 {
     var n_53: f32;
 
     eta_76 = eta_75;
-    let _e46 = eta_76;
-    if (_e46 < 1f) {
-        let _e50 = eta_76;
-        local_122 = (1f / max(_e50, 0.01f));
+    let _e45 = eta_76;
+    if (_e45 < 1f) {
+        let _e49 = eta_76;
+        local_122 = (1f / max(_e49, 0.01f));
     } else {
-        let _e54 = eta_76;
-        local_122 = _e54;
+        let _e53 = eta_76;
+        local_122 = _e53;
     }
-    let _e56 = local_122;
-    n_53 = _e56;
+    let _e55 = local_122;
+    n_53 = _e55;
+    let _e57 = n_53;
     let _e58 = n_53;
-    let _e59 = n_53;
-    let _e62 = n_53;
-    let _e66 = n_53;
-    return sqrt(((_e58 * _e59) + ((0.5f * (_e62 - 1f)) * (_e66 - 1f))));
+    let _e61 = n_53;
+    let _e65 = n_53;
+    return sqrt(((_e57 * _e58) + ((0.5f * (_e61 - 1f)) * (_e65 - 1f))));
 }
 
 fn thinWallLobe(texel_12: vec4<f32>, cosTheta_63: f32, alpha_113: f32, eta_77: f32) -> InterfaceLobe {
@@ -9726,26 +9732,26 @@ fn thinWallLobe(texel_12: vec4<f32>, cosTheta_63: f32, alpha_113: f32, eta_77: f
     cosTheta_64 = cosTheta_63;
     alpha_114 = alpha_113;
     eta_78 = eta_77;
-    let _e52 = cosTheta_64;
-    c_34 = clamp(_e52, 0f, 1f);
-    let _e57 = c_34;
-    let _e58 = alpha_114;
-    let _e62 = eta_78;
-    let _e63 = thinWallWidth(_e57, clamp(_e58, 0f, 1f), _e62);
-    width_8 = _e63;
-    let _e68 = c_34;
-    let _e71 = c_34;
-    let _e75 = c_34;
-    let _e77 = texel_13;
-    let _e79 = width_8;
-    lobe_23.angle = (atan2(sqrt(((1f - _e68) * (1f + _e71))), _e75) + (_e77.x * _e79));
-    let _e83 = texel_13;
-    let _e85 = width_8;
-    lobe_23.sigma = (_e83.y * _e85);
-    let _e88 = texel_13;
-    lobe_23.weight = _e88.z;
-    let _e90 = lobe_23;
-    return _e90;
+    let _e51 = cosTheta_64;
+    c_34 = clamp(_e51, 0f, 1f);
+    let _e56 = c_34;
+    let _e57 = alpha_114;
+    let _e61 = eta_78;
+    let _e62 = thinWallWidth(_e56, clamp(_e57, 0f, 1f), _e61);
+    width_8 = _e62;
+    let _e67 = c_34;
+    let _e70 = c_34;
+    let _e74 = c_34;
+    let _e76 = texel_13;
+    let _e78 = width_8;
+    lobe_23.angle = (atan2(sqrt(((1f - _e67) * (1f + _e70))), _e74) + (_e76.x * _e78));
+    let _e82 = texel_13;
+    let _e84 = width_8;
+    lobe_23.sigma = (_e82.y * _e84);
+    let _e87 = texel_13;
+    lobe_23.weight = _e87.z;
+    let _e89 = lobe_23;
+    return _e89;
 }
 
 fn lobeOnward(lobe_24: ComposedLobe) -> InnerLobe {
@@ -9753,14 +9759,14 @@ fn lobeOnward(lobe_24: ComposedLobe) -> InnerLobe {
     var onward_1: InnerLobe;
 
     lobe_25 = lobe_24;
-    let _e49 = lobe_25;
-    onward_1.direction = _e49.direction;
-    let _e52 = lobe_25;
-    onward_1.sigma = _e52.sigma;
-    let _e55 = lobe_25;
-    onward_1.weight = _e55.weight;
-    let _e57 = onward_1;
-    return _e57;
+    let _e48 = lobe_25;
+    onward_1.direction = _e48.direction;
+    let _e51 = lobe_25;
+    onward_1.sigma = _e51.sigma;
+    let _e54 = lobe_25;
+    onward_1.weight = _e54.weight;
+    let _e56 = onward_1;
+    return _e56;
 }
 
 fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, body_16: ConvexBody, view_48: SceneView, k_41: Widening) -> SecondBody {
@@ -9793,129 +9799,129 @@ fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, 
     body_17 = body_16;
     view_49 = view_48;
     k_42 = k_41;
-    let _e59 = pair_6;
-    second_2.pair = _e59;
-    let _e61 = origin_26;
-    second_2.origin = _e61;
-    let _e63 = inside_10;
-    second_2.inside = _e63;
+    let _e58 = pair_6;
+    second_2.pair = _e58;
+    let _e60 = origin_26;
+    second_2.origin = _e60;
+    let _e62 = inside_10;
+    second_2.inside = _e62;
     second_2.passed = vec3(1f);
     second_2.reflected = vec3(0f);
-    let _e72 = leavingFaces(SECOND_FRONTS, -1f);
-    fronts = _e72;
+    let _e71 = leavingFaces(SECOND_FRONTS, -1f);
+    fronts = _e71;
     fronts.side = -1f;
-    let _e77 = origin_26;
-    let _e78 = pair_6;
-    let _e82 = body_17;
-    let _e84 = fronts;
-    let _e85 = view_49;
-    let _e86 = backFaceExit(_e77, _e78.core.direction, 0f, _e82.ior, _e84, _e85);
-    front_1 = _e86;
-    let _e88 = front_1;
-    if !(_e88.found) {
-        let _e91 = second_2;
-        return _e91;
+    let _e76 = origin_26;
+    let _e77 = pair_6;
+    let _e81 = body_17;
+    let _e83 = fronts;
+    let _e84 = view_49;
+    let _e85 = backFaceExit(_e76, _e77.core.direction, 0f, _e81.ior, _e83, _e84);
+    front_1 = _e85;
+    let _e87 = front_1;
+    if !(_e87.found) {
+        let _e90 = second_2;
+        return _e90;
     }
-    let _e92 = pair_6;
-    let _e94 = lobeOnward(_e92.core);
-    outer = _e94;
-    let _e96 = outer;
-    let _e98 = front_1;
-    let _e101 = k_42;
-    let _e102 = engineLeavingPair(_e96, true, _e98.exit.surface, _e101);
-    entered_5 = _e102;
-    let _e104 = entered_5;
-    let _e106 = entered_5;
-    let _e108 = mergeLobes(_e104.core, _e106.rest);
-    let _e109 = lobeOnward(_e108);
-    inner_13 = _e109;
-    let _e111 = origin_26;
-    let _e112 = front_1;
-    let _e115 = outer;
-    point_4 = (_e111 + (_e112.exit.path * _e115.direction));
-    let _e120 = point_4;
-    let _e121 = inner_13;
-    let _e123 = body_17;
-    let _e126 = front_1;
-    let _e128 = leavingFaces(SECOND_BACKS, _e126.number);
-    let _e129 = view_49;
-    let _e130 = wayOut(_e120, _e121, (1f / _e123.ior), _e128, REFLECTIONS_INSIDE, _e129);
-    way_13 = _e130;
-    let _e132 = way_13;
-    if !(_e132.found) {
-        let _e135 = second_2;
-        return _e135;
+    let _e91 = pair_6;
+    let _e93 = lobeOnward(_e91.core);
+    outer = _e93;
+    let _e95 = outer;
+    let _e97 = front_1;
+    let _e100 = k_42;
+    let _e101 = engineLeavingPair(_e95, true, _e97.exit.surface, _e100);
+    entered_5 = _e101;
+    let _e103 = entered_5;
+    let _e105 = entered_5;
+    let _e107 = mergeLobes(_e103.core, _e105.rest);
+    let _e108 = lobeOnward(_e107);
+    inner_13 = _e108;
+    let _e110 = origin_26;
+    let _e111 = front_1;
+    let _e114 = outer;
+    point_4 = (_e110 + (_e111.exit.path * _e114.direction));
+    let _e119 = point_4;
+    let _e120 = inner_13;
+    let _e122 = body_17;
+    let _e125 = front_1;
+    let _e127 = leavingFaces(SECOND_BACKS, _e125.number);
+    let _e128 = view_49;
+    let _e129 = wayOut(_e119, _e120, (1f / _e122.ior), _e127, REFLECTIONS_INSIDE, _e128);
+    way_13 = _e129;
+    let _e131 = way_13;
+    if !(_e131.found) {
+        let _e134 = second_2;
+        return _e134;
     }
-    let _e136 = way_13;
-    let _e139 = way_13;
-    let _e142 = k_42;
-    let _e143 = engineLeavingPair(_e136.lobe, true, _e139.exit.surface, _e142);
-    beyond_1 = _e143;
-    let _e146 = front_1;
-    let _e149 = way_13;
-    let _e152 = body_17;
-    second_2.inside = (_e146.exit.path + (_e149.exit.path / _e152.ior));
-    let _e158 = outer;
-    beyond_1.core.inner = _e158.sigma;
-    let _e162 = outer;
-    beyond_1.rest.inner = _e162.sigma;
-    let _e164 = outer;
-    if (_e164.weight > 0f) {
-        let _e168 = beyond_1;
-        let _e171 = beyond_1;
-        let _e175 = outer;
-        local_123 = ((_e168.core.weight + _e171.rest.weight) / _e175.weight);
+    let _e135 = way_13;
+    let _e138 = way_13;
+    let _e141 = k_42;
+    let _e142 = engineLeavingPair(_e135.lobe, true, _e138.exit.surface, _e141);
+    beyond_1 = _e142;
+    let _e145 = front_1;
+    let _e148 = way_13;
+    let _e151 = body_17;
+    second_2.inside = (_e145.exit.path + (_e148.exit.path / _e151.ior));
+    let _e157 = outer;
+    beyond_1.core.inner = _e157.sigma;
+    let _e161 = outer;
+    beyond_1.rest.inner = _e161.sigma;
+    let _e163 = outer;
+    if (_e163.weight > 0f) {
+        let _e167 = beyond_1;
+        let _e170 = beyond_1;
+        let _e174 = outer;
+        local_123 = ((_e167.core.weight + _e170.rest.weight) / _e174.weight);
     } else {
         local_123 = 0f;
     }
-    let _e180 = local_123;
-    passed_2 = _e180;
-    let _e182 = pair_6;
-    aside = _e182.rest;
-    let _e186 = pair_6;
-    let _e189 = beyond_1;
-    let _e193 = pair_6;
-    aside.direction = normalize(((_e186.rest.direction + _e189.core.direction) - _e193.core.direction));
-    let _e199 = aside;
-    let _e201 = passed_2;
-    aside.weight = (_e199.weight * _e201);
-    let _e204 = beyond_1;
-    let _e206 = aside;
-    let _e207 = mergeLobes(_e204.rest, _e206);
-    beyond_1.rest = _e207;
-    let _e209 = beyond_1;
-    second_2.pair = _e209;
-    let _e211 = way_13;
-    second_2.origin = _e211.point;
-    let _e214 = way_13;
-    let _e218 = body_17;
-    second_2.passed = exp((-(_e214.exit.path) * _e218.attenuation));
-    let _e222 = outer;
-    let _e224 = front_1;
-    cosTheta_65 = dot(_e222.direction, _e224.exit.surface.n);
-    let _e230 = front_1;
-    alpha_115 = _e230.exit.surface.alpha;
-    let _e235 = pair_6;
-    let _e238 = pair_6;
-    let _e242 = cosTheta_65;
-    let _e243 = alpha_115;
-    let _e244 = body_17;
-    let _e246 = engineFaceEnergy(_e242, _e243, _e244.ior);
-    weight_3 = ((_e235.core.weight + _e238.rest.weight) * _e246.reflected);
-    let _e250 = outer;
-    let _e253 = cosTheta_65;
-    let _e255 = front_1;
-    mirrored = (_e250.direction - ((2f * _e253) * _e255.exit.surface.n));
-    let _e263 = weight_3;
-    let _e264 = mirrored;
-    let _e265 = outer;
-    let _e267 = outer;
-    let _e271 = alpha_115;
-    let _e273 = alpha_115;
-    let _e279 = engineEnvironment(_e264, min(sqrt(((_e265.sigma * _e267.sigma) + ((4f * _e271) * _e273))), 0.606f));
-    second_2.reflected = (_e263 * _e279);
-    let _e281 = second_2;
-    return _e281;
+    let _e179 = local_123;
+    passed_2 = _e179;
+    let _e181 = pair_6;
+    aside = _e181.rest;
+    let _e185 = pair_6;
+    let _e188 = beyond_1;
+    let _e192 = pair_6;
+    aside.direction = normalize(((_e185.rest.direction + _e188.core.direction) - _e192.core.direction));
+    let _e198 = aside;
+    let _e200 = passed_2;
+    aside.weight = (_e198.weight * _e200);
+    let _e203 = beyond_1;
+    let _e205 = aside;
+    let _e206 = mergeLobes(_e203.rest, _e205);
+    beyond_1.rest = _e206;
+    let _e208 = beyond_1;
+    second_2.pair = _e208;
+    let _e210 = way_13;
+    second_2.origin = _e210.point;
+    let _e213 = way_13;
+    let _e217 = body_17;
+    second_2.passed = exp((-(_e213.exit.path) * _e217.attenuation));
+    let _e221 = outer;
+    let _e223 = front_1;
+    cosTheta_65 = dot(_e221.direction, _e223.exit.surface.n);
+    let _e229 = front_1;
+    alpha_115 = _e229.exit.surface.alpha;
+    let _e234 = pair_6;
+    let _e237 = pair_6;
+    let _e241 = cosTheta_65;
+    let _e242 = alpha_115;
+    let _e243 = body_17;
+    let _e245 = engineFaceEnergy(_e241, _e242, _e243.ior);
+    weight_3 = ((_e234.core.weight + _e237.rest.weight) * _e245.reflected);
+    let _e249 = outer;
+    let _e252 = cosTheta_65;
+    let _e254 = front_1;
+    mirrored = (_e249.direction - ((2f * _e252) * _e254.exit.surface.n));
+    let _e262 = weight_3;
+    let _e263 = mirrored;
+    let _e264 = outer;
+    let _e266 = outer;
+    let _e270 = alpha_115;
+    let _e272 = alpha_115;
+    let _e278 = engineEnvironment(_e263, min(sqrt(((_e264.sigma * _e266.sigma) + ((4f * _e270) * _e272))), 0.606f));
+    second_2.reflected = (_e262 * _e278);
+    let _e280 = second_2;
+    return _e280;
 }
 
 fn refractTwoPairs(face_30: GlassFace, body_18: ConvexBody, number_6: f32, view_50: SceneView, k_43: Widening) -> vec3<f32> {
@@ -9936,56 +9942,56 @@ fn refractTwoPairs(face_30: GlassFace, body_18: ConvexBody, number_6: f32, view_
     number_7 = number_6;
     view_51 = view_50;
     k_44 = k_43;
-    let _e55 = face_31;
-    let _e56 = body_19;
-    let _e58 = enterGlass(_e55, _e56.ior);
-    entered_6 = _e58;
-    let _e60 = face_31;
-    let _e61 = body_19;
-    let _e62 = entered_6;
-    let _e63 = number_7;
-    let _e64 = view_51;
-    let _e65 = waysOut(_e60, _e61, _e62, SECOND_BACKS, _e63, REFLECTIONS_INSIDE, _e64);
-    ways_2 = _e65;
-    let _e68 = ways_2;
-    entered_6.core = _e68.core.lobe;
-    let _e72 = ways_2;
-    entered_6.tail = _e72.tail.lobe;
-    let _e75 = ways_2;
-    exit = _e75.core.exit;
-    let _e79 = face_31;
-    let _e80 = body_19;
-    let _e81 = entered_6;
-    let _e82 = exit;
-    let _e83 = ways_2;
-    let _e86 = k_44;
-    let _e87 = leaveGlass(_e79, _e80, _e81, _e82, _e83.tail.exit, _e86);
-    left_3 = _e87;
-    let _e89 = left_3;
-    let _e91 = ways_2;
-    let _e94 = exit;
-    let _e96 = body_19;
-    let _e97 = view_51;
-    let _e98 = k_44;
-    let _e99 = throughSecondBody(_e89.pair, _e91.core.point, _e94.path, _e96, _e97, _e98);
-    second_3 = _e99;
-    let _e101 = second_3;
-    let _e103 = second_3;
-    let _e105 = second_3;
-    let _e107 = second_3;
-    let _e109 = view_51;
-    let _e110 = pairRadiance(_e103.pair, _e105.origin, _e107.inside, _e109);
-    let _e112 = second_3;
-    sum_16 = ((_e101.passed * _e110) + _e112.reflected);
-    let _e116 = sum_16;
-    let _e117 = exit;
-    let _e120 = body_19;
-    let _e125 = face_31;
-    let _e126 = body_19;
-    let _e127 = entered_6;
-    let _e129 = entered_6;
-    let _e131 = exit;
-    let _e132 = left_3;
-    let _e134 = internallyReflected(_e125, _e126, _e127.core, _e129.energy, _e131, _e132.passed);
-    return ((_e116 * exp((-(_e117.path) * _e120.attenuation))) + _e134);
+    let _e54 = face_31;
+    let _e55 = body_19;
+    let _e57 = enterGlass(_e54, _e55.ior);
+    entered_6 = _e57;
+    let _e59 = face_31;
+    let _e60 = body_19;
+    let _e61 = entered_6;
+    let _e62 = number_7;
+    let _e63 = view_51;
+    let _e64 = waysOut(_e59, _e60, _e61, SECOND_BACKS, _e62, REFLECTIONS_INSIDE, _e63);
+    ways_2 = _e64;
+    let _e67 = ways_2;
+    entered_6.core = _e67.core.lobe;
+    let _e71 = ways_2;
+    entered_6.tail = _e71.tail.lobe;
+    let _e74 = ways_2;
+    exit = _e74.core.exit;
+    let _e78 = face_31;
+    let _e79 = body_19;
+    let _e80 = entered_6;
+    let _e81 = exit;
+    let _e82 = ways_2;
+    let _e85 = k_44;
+    let _e86 = leaveGlass(_e78, _e79, _e80, _e81, _e82.tail.exit, _e85);
+    left_3 = _e86;
+    let _e88 = left_3;
+    let _e90 = ways_2;
+    let _e93 = exit;
+    let _e95 = body_19;
+    let _e96 = view_51;
+    let _e97 = k_44;
+    let _e98 = throughSecondBody(_e88.pair, _e90.core.point, _e93.path, _e95, _e96, _e97);
+    second_3 = _e98;
+    let _e100 = second_3;
+    let _e102 = second_3;
+    let _e104 = second_3;
+    let _e106 = second_3;
+    let _e108 = view_51;
+    let _e109 = pairRadiance(_e102.pair, _e104.origin, _e106.inside, _e108);
+    let _e111 = second_3;
+    sum_16 = ((_e100.passed * _e109) + _e111.reflected);
+    let _e115 = sum_16;
+    let _e116 = exit;
+    let _e119 = body_19;
+    let _e124 = face_31;
+    let _e125 = body_19;
+    let _e126 = entered_6;
+    let _e128 = entered_6;
+    let _e130 = exit;
+    let _e131 = left_3;
+    let _e133 = internallyReflected(_e124, _e125, _e126.core, _e128.energy, _e130, _e131.passed);
+    return ((_e115 * exp((-(_e116.path) * _e119.attenuation))) + _e133);
 }

@@ -5,9 +5,10 @@
 
 Needs Debian's chromium and npm, which fetches three.js at the kit's own version. relMSE over pixels that glass covers wholly, in
 linear radiance; frame times are the least of interleaved frames, on Chromium's software WebGL. "trimmed": without its worst hundredth;
-"to capture": relMSE against the same frame by `groundglass capture`. Fails if a kit's error is not below stock's by the factor of each
-scene: 4 where it is reached, less on the balls. wineglass.exr and transmission-roughness.exr beside this file are `groundglass truth SCENE --size 160x160
---half`, with --spp 2560 --seed 3, and with --spp 256 and the camera below.
+"to capture": relMSE against the same frame by `groundglass capture`. Fails if a kit's error is not below stock's by a factor of 4
+on each scene. The references beside this file are `groundglass truth SCENE --size 160x160 --half`: wineglass.exr with --spp 2560 --seed 3,
+transmission-roughness.exr with --spp 256 and the camera below, ball-grid.exr with --spp 1870 --seed 7. (That of assets/references, 1024 samples,
+missed a lamp that one pixel of a smooth ball mirrors: nine tenths of what two path-traced pictures differ by lie there.)
 """
 
 import argparse
@@ -27,7 +28,7 @@ ENVIRONMENT = ROOT / "assets/environments/royal_esplanade_1k.hdr"
 # Scene, its camera where it has none of its own, and by how much less error, and of which kind, than stock the kits must have.
 SCENES = {
     "slabs-0.2": ("slabs-0.2.glb", {}, "relMSE", 4.0),
-    "ball-grid": ("ball-grid.glb", {}, "relMSE", 2.5),
+    "ball-grid": ("ball-grid.glb", {}, "relMSE", 4.0),
     "wineglass": ("wineglass.glb", {}, "relMSE", 4.0),
     "transmission-roughness": ("TransmissionRoughnessTest.glb", {"eye": "0,0.1,2.6", "target": "0,0,0", "fovy": 28}, "relMSE", 4.0),
 }

@@ -55,9 +55,10 @@ TEST(kit, describes_every_table_by_its_size) {
 }
 
 TEST(kit, says_what_it_cannot_do) {
-  EXPECT_EQ(
-      run_program({"kit", "--target", "unknown", "-o", (scratch_directory() / "x").string()}).code,
-      2);
+  const Finished misspelt =
+      run_program({"kit", "--target", "webgl", "-o", (scratch_directory() / "x").string()});
+  EXPECT_EQ(misspelt.code, 2);
+  EXPECT_NE(misspelt.err.find("Did you mean webgl2?"), std::string::npos) << misspelt.err;
   EXPECT_EQ(run_program({"kit", "-o", "x"}).code, 2);
   const fs::path file = scratch_directory() / "file";
   std::ofstream(file) << "in the way";

@@ -85,7 +85,7 @@ def main():
                 picture = folder / "picture.png"
                 steps.append(("page", lambda: screenshot(folder, profile)))
             else:
-                picture = folder / "picture.hdr"
+                picture = folder / "picture.png"
                 steps += [("cmake", lambda: run(folder, "cmake", "-B", "build")), ("build", lambda: run(folder, "cmake", "--build", "build")),
                           ("picture", lambda: run(folder, "build/rough_glass"))]
             line, whole = [], time.monotonic()

@@ -53,7 +53,12 @@ TEST(snippet, explains_signature_ranges_cost_and_source) {
 TEST(snippet, says_what_it_cannot_do) {
   const Finished unknown = run_program({"snippet", "ggxx"});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_NE(unknown.err.find("Near: ggx"), std::string::npos) << unknown.err;
+  EXPECT_NE(unknown.err.find("Did you mean ggx?"), std::string::npos) << unknown.err;
+  const Finished misspelt = run_program({"snippet", "--explain", "refractTwoPair"});
+  EXPECT_NE(misspelt.err.find("Did you mean refractTwoPairs?"), std::string::npos) << misspelt.err;
+  const Finished target = run_program({"snippet", "ggx", "--target", "hlsll"});
+  EXPECT_EQ(target.code, 2);
+  EXPECT_NE(target.err.find("Did you mean hlsl?"), std::string::npos) << target.err;
   EXPECT_EQ(run_program({"snippet", "ggx", "--target", "cg"}).code, 2);
   EXPECT_EQ(run_program({"snippet", "ggx", "--prefix", "1a"}).code, 2);
   EXPECT_EQ(run_program({"snippet"}).code, 2);

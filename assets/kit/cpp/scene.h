@@ -319,10 +319,11 @@ inline int last_level_of(int width, int height) {
   return std::max(0, int(std::log2(std::min(width, height))) - 2);
 }
 
-// What the command line asks for: [SCENE.glb [ENVIRONMENT.hdr [OUT.hdr [WIDTH HEIGHT [SAMPLES along each axis of a pixel [TIER]]]]]]
+// What the command line asks for: [SCENE.glb [ENVIRONMENT.hdr [OUT [WIDTH HEIGHT [SAMPLES along each axis of a pixel [TIER]]]]]]
+// OUT: .png, as a display shows it, or .hdr, linear radiance.
 // TIER: faces (the nearest back faces of glass) or pairs (and the faces behind those)
 struct Asked {
-  std::string scene = "scene.glb", environment = "environment.hdr", out = "picture.hdr";
+  std::string scene = "scene.glb", environment = "environment.hdr", out = "picture.png";
   int width = 640, height = 480, samples = 2;
   bool pairs = false;
 };
@@ -335,7 +336,9 @@ inline Asked asked_of(int argc, char** argv) {
       *names[k - 1] = argv[k];
     else
       *numbers[k - 4] = std::atoi(argv[k]);
-  if (argc > 7) asked.pairs = std::string(argv[7]) == "pairs";
+  const std::string tier = argc > 7 ? argv[7] : "faces";
+  asked.pairs = tier == "pairs";
+  if (tier != "pairs" && tier != "faces") fail(tier + " is no tier: faces or pairs");
   if (asked.width < 8 || asked.height < 8 || asked.samples < 1)
     fail("sizes are 8 x 8 pixels and more, samples 1 and more");
   return asked;
@@ -366,8 +369,20 @@ Averaged averaged_of(Renderer& renderer, const Asked& asked) {
 }
 // Writes the picture and says so, with the device's name.
 inline void write(const Averaged& picture, const Asked& asked, const char* device) {
-  if (!stbi_write_hdr(asked.out.c_str(), asked.width, asked.height, 4, picture.texels.data()))
-    fail(asked.out + " cannot be written");
+  bool written = false;
+  if (asked.out.ends_with(".png")) {
+    std::vector<unsigned char> encoded(picture.texels.size(), 255);
+    for (std::size_t i = 0; i < encoded.size(); ++i) {
+      const float v = std::clamp(picture.texels[i], 0.0F, 1.0F);
+      const float srgb = v < 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1.0F / 2.4F) - 0.055F;
+      if (i % 4 < 3) encoded[i] = static_cast<unsigned char>(255.0F * srgb + 0.5F);
+    }
+    written = stbi_write_png(asked.out.c_str(), asked.width, asked.height, 4, encoded.data(), 0);
+  } else {
+    written =
+        stbi_write_hdr(asked.out.c_str(), asked.width, asked.height, 4, picture.texels.data());
+  }
+  if (!written) fail(asked.out + " cannot be written");
   std::printf("%s: %d x %d, %.1f ms a frame on %s\n", asked.out.c_str(), asked.width, asked.height,
               picture.ms, device);
 }

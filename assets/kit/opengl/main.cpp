@@ -1,5 +1,5 @@
 // Rough glass in OpenGL 4.5, offscreen: README.md beside this file says what each pass is.
-//   rough_glass [SCENE.glb [ENVIRONMENT.hdr [OUT.hdr [WIDTH HEIGHT [SAMPLES [TIER]]]]]]
+//   rough_glass [SCENE.glb [ENVIRONMENT.hdr [OUT [WIDTH HEIGHT [SAMPLES [TIER]]]]]]
 #define GL_GLEXT_PROTOTYPES
 #include "scene.h"
 

@@ -1,5 +1,5 @@
 // Rough glass in Vulkan 1.3, offscreen: README.md beside this file says what each pass is.
-//   rough_glass [SCENE.glb [ENVIRONMENT.hdr [OUT.hdr [WIDTH HEIGHT [SAMPLES [TIER]]]]]]
+//   rough_glass [SCENE.glb [ENVIRONMENT.hdr [OUT [WIDTH HEIGHT [SAMPLES [TIER]]]]]]
 #include "device.h"
 
 namespace {
