@@ -2,6 +2,8 @@
 
 #include "frame/passes/alike.h"
 
+#include <utility>
+
 namespace gg::frame {
 
 namespace {
@@ -54,11 +56,15 @@ std::vector<gpu::View> Draws::sampled() const {
 }
 
 void Draws::expect(const std::function<void()>& what) {
+  missing(what);
+}
+
+std::vector<gpu::PipelineDesc> Draws::missing(const std::function<void()>& what) {
   expecting_ = true;
   what();
   expecting_ = false;
   device_.expect(expected_);
-  expected_.clear();
+  return std::exchange(expected_, {});
 }
 
 gpu::PipelineRef Draws::pipeline(const gpu::PipelineDesc& desc) {

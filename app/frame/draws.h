@@ -49,6 +49,8 @@ public:
   // While `what` runs pipelines are not made, only told to the device, which compiles them on all cores; those it is given are
   // null.
   void expect(const std::function<void()>& what);
+  // The same, and returns them.
+  std::vector<gpu::PipelineDesc> missing(const std::function<void()>& what);
 
   // Compiled at the first call, kept from then on or until all are forgotten.
   void forget() { pipelines_.clear(); }

@@ -72,13 +72,31 @@ void Renderer::bind(gpu::Encoder& encoder, int sample) const {
   encoder.texture("irradianceCube", gpu::whole(stack->irradiance), stack->sampler);
 }
 
+std::vector<gpu::PipelineDesc> Renderer::missing(const FrameDesc& desc) {
+  const needs::Needs needs = needs::needs_of(scene_, view_of(desc), &shapes_);
+  const Graph graph = graph_of(needs);
+  Context context{device_, needs, draws_, regions_, shadow_frames_};
+  return draws_.missing([&] {
+    for (const Pass& pass : graph.passes)
+      pass.prepare(context);
+  });
+}
+
 void Renderer::draw_sample(int i, std::map<std::string, double>* times) {
+  run(passes_[static_cast<std::size_t>(i)], times);
+}
+
+void Renderer::draw_pass(int sample, std::size_t pass, std::map<std::string, double>* times) {
+  run(std::span(passes_[static_cast<std::size_t>(sample)]).subspan(pass, 1), times);
+}
+
+void Renderer::run(std::span<const gpu::Pass> passes, std::map<std::string, double>* times) {
   if (!times) {
-    device_.run(passes_[static_cast<std::size_t>(i)]);
+    device_.run(passes);
     return;
   }
   std::vector<gpu::PassTime> measured;
-  device_.run(passes_[static_cast<std::size_t>(i)], &measured);
+  device_.run(passes, &measured);
   for (const gpu::PassTime& pass : measured)
     (*times)[pass.label] += pass.ms;
 }

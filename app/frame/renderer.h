@@ -13,6 +13,7 @@
 #include "tables/device_tables.h"
 
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +47,16 @@ public:
   void draw(std::map<std::string, double>* times = nullptr);
   // One sample of the frame, for callers that show progress; 0 <= i < samples, in order.
   void draw_sample(int i, std::map<std::string, double>* times = nullptr);
+  // One pass of it, for callers that have other things to do between: all of them, in order, are draw_sample().
+  std::size_t pass_count(int sample) const {
+    return passes_[static_cast<std::size_t>(sample)].size();
+  }
+  void draw_pass(int sample, std::size_t pass, std::map<std::string, double>* times = nullptr);
+
+  // The pipelines that a frame of this description would have to make before it is drawn; other threads compile them meanwhile.
+  // make() makes one of them. What is drawn stays as it was set.
+  std::vector<gpu::PipelineDesc> missing(const FrameDesc& desc);
+  void make(const gpu::PipelineDesc& pipeline) { draws_.pipeline(pipeline); }
 
   // The frame as drawn: linear radiance, RGBA (a = coverage by meshes or environment).
   image::Image read();
@@ -61,6 +72,7 @@ public:
 private:
   void bind(gpu::Encoder& encoder, int sample) const; // what every draw reads
   void upload_tables();
+  void run(std::span<const gpu::Pass> passes, std::map<std::string, double>* times);
 
   gpu::Device& device_;
   const scene::Scene& scene_;

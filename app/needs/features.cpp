@@ -224,7 +224,9 @@ Features features_of(const scene::Scene& scene, const Material& m, const Primiti
   if (shading == Shading::unlit) return features;
 
   set(Feature::distribution, m.distribution);
-  set(Feature::alpha_given, m.exact_alpha.has_value());
+  // Roughness without a map is a width as well: one text for both.
+  set(Feature::alpha_given,
+      m.exact_alpha || value_of(features.key, Feature::metallic_roughness_map) == 0);
   set(Feature::correlated_smith,
       frame.correlated_smith && m.distribution == scene::Distribution::ggx);
   set(Feature::method, frame.method);

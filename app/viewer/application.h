@@ -12,6 +12,7 @@
 #include "viewer/shader_reload.h"
 #include "viewer/sight.h"
 #include "viewer/viewer.h"
+#include "viewer/warmup.h"
 #include "viewer/watched_files.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -58,11 +59,10 @@ private:
   // drawing.cpp
   void restart(bool quick);
   frame::FrameDesc frame_desc(double scale, int samples) const;
+  void attempt(const std::function<void()>& drawing);
   void draw();
-  void draw_picture();
   void draw_quick();
-  void draw_still(Picture& picture, double& sample_ms);
-  void draw_second();
+  void set_second();
   gpu::TextureRef compose();
   std::optional<Beside> beside();
   void run_truth();
@@ -70,6 +70,15 @@ private:
   void take_shaders();
   Beside debug_view();
   void inspect();
+  // work.cpp
+  bool is_called(); // something has happened that a frame answers
+  void see_events();
+  bool is_moving() const;
+  void work();
+  void draw_still(Picture& picture, double& sample_ms);
+  void plan_warmup();
+  std::vector<Picture::Materials> materials_to_come() const;
+  void warm_up();
 
   const Settings& settings_;
   const Commands& commands_;
@@ -77,6 +86,7 @@ private:
   Session session_;
   std::unique_ptr<gpu::Window> window_;
   std::unique_ptr<Picture> picture_;
+  std::unique_ptr<Warmup> warmup_;  // of it
   std::unique_ptr<Picture> second_; // by the other method, while that is shown
   std::string second_method_;       // that it was drawn by; empty: it is of another view
   std::unique_ptr<DisplayPass> display_;
@@ -92,13 +102,17 @@ private:
   WatchedFiles files_;
   ShaderReload shaders_;
 
-  int width_ = 0, height_ = 0;           // of the picture on the screen, pixels
-  bool stale_ = true;                    // the picture is of another view than the session's
-  bool quick_ = false;                   // it is a quick one
-  bool broken_ = false;                  // its shaders compile, and cannot be drawn with
-  bool compared_ = false;                // the truth has been given the finished picture
-  std::optional<scene::Index> outlined_; // what the display pass was told
-  gpu::TextureRef beside_;               // of report_shown_
+  int width_ = 0, height_ = 0;            // of the picture on the screen, pixels
+  bool stale_ = true;                     // the picture is of another view than the session's
+  bool quick_ = false;                    // it is a quick one
+  bool broken_ = false;                   // its shaders compile, and cannot be drawn with
+  bool planned_ = false;                  // the warm-up has been, for this picture
+  std::map<std::string, double> pass_ms_; // of the sample that is being drawn
+  double sample_spent_ = 0.0;             // ms on the sample that is being drawn
+  double window_ms_ = 0.0;                // what the last frame took besides a picture
+  bool compared_ = false;                 // the truth has been given the finished picture
+  std::optional<scene::Index> outlined_;  // what the display pass was told
+  gpu::TextureRef beside_;                // of report_shown_
   std::shared_ptr<const TruthRun::Report> report_shown_;
   Comparing beside_kind_ = Comparing::wipe;
   bool posing_ = false;   // the time has changed since the last pose was asked for

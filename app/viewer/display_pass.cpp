@@ -22,10 +22,6 @@ std::span<const std::byte> bytes_of(const T& value) {
 
 DisplayPass::DisplayPass(gpu::Device& device)
     : device_(device), linear_(device.create(gpu::SamplerDesc{})),
-      display_(device.create(gpu::PipelineDesc{.label = "display",
-                                               .vertex = "fullscreen.vert",
-                                               .fragment = "display.frag",
-                                               .colors = {gpu::Format::rgba8}})),
       block_(device.create(gpu::BufferDesc{"display", sizeof(DisplayData), gpu::Use::uniforms})),
       picked_block_(
           device.create(gpu::BufferDesc{"picked", sizeof(glm::mat4), gpu::Use::uniforms})),
@@ -41,13 +37,26 @@ void DisplayPass::make_target(int width, int height) {
                        .use = gpu::Use::attachment | gpu::Use::sampled | gpu::Use::read_back});
 }
 
+const gpu::PipelineRef& DisplayPass::pipeline(frame::ToneMap tone_map, bool beside, bool outlined) {
+  gpu::PipelineRef& found = display_[{tone_map, beside, outlined}];
+  if (!found)
+    found = device_.create(
+        gpu::PipelineDesc{.label = "display",
+                          .vertex = "fullscreen.vert",
+                          .fragment = "display.frag",
+                          .constants = {gpu::constant(0, static_cast<int>(tone_map)),
+                                        gpu::constant(1, beside), gpu::constant(2, outlined)},
+                          .colors = {gpu::Format::rgba8}});
+  return found;
+}
+
 const gpu::TextureRef& DisplayPass::draw(const Show& show) {
   make_target(show.width, show.height);
   const bool outlined = show.outline > 0.0f && !picked_.empty() && mask_;
   DisplayData data{};
   data.area = {static_cast<float>(show.picture_width), static_cast<float>(show.picture_height),
                outlined ? show.outline : 0.0f, 0.0f};
-  data.picture = {show.factor, static_cast<float>(show.tone_map), 0.0f, 0.0f};
+  data.picture = {show.factor, 0.0f, 0.0f, 0.0f};
   data.other = {1.0f, 0.0f, 1.0f, 0.0f};
   if (show.beside)
     data.other = {show.beside->factor, show.beside->encoded ? 1.0f : 0.0f,
@@ -58,11 +67,12 @@ const gpu::TextureRef& DisplayPass::draw(const Show& show) {
   const gpu::TextureRef other = show.beside ? show.beside->texture : nothing_;
   const gpu::TextureRef mask = outlined ? mask_ : nothing_;
   const gpu::TextureRef picture = show.picture ? show.picture : nothing_;
+  const gpu::PipelineRef& display = pipeline(show.tone_map, show.beside.has_value(), outlined);
   gpu::Pass pass{.label = "display",
                  .colors = {{.view = gpu::whole(target_)}},
                  .reads = {gpu::whole(picture), gpu::whole(other), gpu::whole(mask)},
                  .record = [&](gpu::Encoder& encoder) {
-                   encoder.use(display_);
+                   encoder.use(display);
                    encoder.buffer("Display", block_);
                    encoder.texture("pictureColor", gpu::whole(picture), linear_);
                    encoder.texture("otherColor", gpu::whole(other), linear_);

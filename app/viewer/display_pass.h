@@ -8,7 +8,9 @@
 
 #include <glm/glm.hpp>
 
+#include <map>
 #include <optional>
+#include <tuple>
 
 namespace gg::viewer {
 
@@ -45,10 +47,12 @@ public:
 
 private:
   void make_target(int width, int height);
+  const gpu::PipelineRef& pipeline(frame::ToneMap tone_map, bool beside, bool outlined);
 
   gpu::Device& device_;
   gpu::SamplerRef linear_;
-  gpu::PipelineRef display_, mask_pipeline_;
+  std::map<std::tuple<frame::ToneMap, bool, bool>, gpu::PipelineRef> display_;
+  gpu::PipelineRef mask_pipeline_;
   gpu::BufferRef block_, picked_block_;
   gpu::TextureRef target_, mask_, nothing_;
   struct Part {

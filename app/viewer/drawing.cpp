@@ -13,8 +13,6 @@
 namespace gg::viewer {
 namespace {
 
-constexpr auto still_after = std::chrono::milliseconds(150); // since the last change
-constexpr double still_slice_ms = 20.0; // of drawing between two looks at the mouse
 constexpr float outline_width = 2.0f;
 
 // Display-encoded colours of a one-channel map.
@@ -66,6 +64,8 @@ void Application::restart(bool quick) {
   debug_shown_.reset();
   stale_ = false;
   quick_ = quick;
+  planned_ = false;
+  sample_spent_ = 0.0;
   compared_ = false;
 }
 
@@ -74,25 +74,14 @@ void Application::draw_quick() {
   restart(true);
   picture_->draw_sample();
   window_->device().finish();
-  session_.frame_ms = ms_since(start);
-  pace_.want(session_.frames_per_second);
-  pace_.took(session_.frame_ms);
+  const double picture_ms = ms_since(start);
+  session_.frame_ms = picture_ms + window_ms_;
+  pace_.want(session_.frames_per_second, window_ms_);
+  pace_.took(picture_ms);
 }
 
-// The least of a picture's samples tells what one takes: others wait for other work.
-void Application::draw_still(Picture& picture, double& sample_ms) {
-  const auto start = Clock::now();
-  do {
-    const auto before = Clock::now();
-    session_.pass_ms.clear();
-    picture.draw_sample(session_.pass_table ? &session_.pass_ms : nullptr);
-    window_->device().finish();
-    const double ms = ms_since(before);
-    sample_ms = picture.drawn() == 1 ? ms : std::min(sample_ms, ms);
-  } while (!picture.done() && ms_since(start) < still_slice_ms);
-}
-
-void Application::draw_second() {
+// Set, or let go, as the session says; drawn in work().
+void Application::set_second() {
   if (!session_.truth || session_.second.empty()) {
     second_.reset();
     second_method_.clear();
@@ -113,41 +102,35 @@ void Application::draw_second() {
     desc.method = commands_.method(second_method_);
     second_->set(desc, true);
   }
-  if (!second_->done()) draw_still(*second_, session_.second_ms);
-}
-
-void Application::draw_picture() {
-  const bool moving = Clock::now() - changed_ < still_after;
-  session_.moving = moving;
-  const scene::Index picked = session_.picked ? session_.picked->instance : scene::none;
-  if (outlined_ != picked) {
-    display_->pick(*session_.scene, picked);
-    display_->see(session_.camera, width_, height_);
-    outlined_ = picked;
-  }
-  if (moving && picture_->is_open()) { // the first picture is not of something that moves
-    if (stale_) draw_quick();
-  } else {
-    if (stale_ || quick_) restart(false);
-    if (!picture_->done()) draw_still(*picture_, session_.first_ms);
-  }
-  session_.drawn = picture_->drawn();
-  session_.device_bytes = window_->device().memory_bytes();
-  if (!session_.pass_table) return;
-  session_.passes = rows_of(picture_->renderer().graph());
-  session_.features = needs::features_in_use(picture_->renderer().needs().draws.all);
 }
 
 // A shader that was saved may compile and yet not fit what is drawn with it.
-void Application::draw() {
+void Application::attempt(const std::function<void()>& drawing) {
   try {
-    draw_picture();
-    draw_second();
+    drawing();
   } catch (const Error& error) {
     if (!reloaded_) throw;
     session_.shader_message = error.what();
     broken_ = true;
   }
+}
+
+void Application::draw() {
+  session_.moving = is_moving() && picture_->is_open();
+  const scene::Index picked = session_.picked ? session_.picked->instance : scene::none;
+  if (outlined_ != picked) {
+    display_->pick(*session_.scene, picked);
+    display_->see(session_.camera, width_, height_);
+    outlined_ = picked;
+    planned_ = false; // its sliders may be next
+  }
+  if (session_.moving && stale_) draw_quick();
+  set_second();
+  session_.drawn = picture_->drawn();
+  session_.device_bytes = window_->device().memory_bytes();
+  if (!session_.pass_table || !picture_->is_open()) return;
+  session_.passes = rows_of(picture_->renderer().graph());
+  session_.features = needs::features_in_use(picture_->renderer().needs().draws.all);
 }
 
 void Application::run_truth() {
@@ -191,6 +174,7 @@ void Application::take_shaders() {
   broken_ = false;
   session_.said = fmt::format("compiled {} stages again", done->compiled);
   picture_->forget_pipelines();
+  warmup_->forget();
   second_.reset();
   second_method_.clear();
   display_ = std::make_unique<DisplayPass>(window_->device());
@@ -281,7 +265,7 @@ gpu::TextureRef Application::compose() {
                          .picture_height = height_,
                          .tone_map = frame::parse_tone_map(session_.view.tonemap),
                          .beside = beside()};
-  if (!broken_ && picture_->is_open() && picture_->drawn() > 0) {
+  if (!broken_ && picture_->texture()) {
     show.picture = picture_->texture();
     show.factor = picture_->factor() * std::exp2(session_.view.exposure);
   } else {

@@ -1,4 +1,5 @@
 // The loop: what makes a frame, and when there is none to make.
+#include "core/clock.h"
 #include "viewer/application.h"
 #include "viewer/input.h"
 #include "viewer/panels.h"
@@ -25,21 +26,18 @@ bool Application::is_busy() const {
     return true;
   if (!session_.scene || broken_) return false;
   return stale_ || quick_ || !picture_->done()
-         || (second_ && !second_method_.empty() && !second_->done());
+         || (second_ && !second_method_.empty() && !second_->done()) || !planned_
+         || !warmup_->done();
 }
 
 // An idle window waits for events and costs nothing but a look at its files once a second.
 void Application::wait() {
   constexpr double between_looks = 1.0; // seconds
   window_->poll_events();
-  const auto see = [this] {
-    if (window_->event_count() != events_seen_) settling_ = 3; // panels take two frames to answer
-    events_seen_ = window_->event_count();
-  };
-  see();
+  see_events();
   while (!window_->should_close() && (!is_busy() || window_->width() == 0)) {
     window_->wait_events(between_looks);
-    see();
+    see_events();
     if (const std::string path = files_.changed(); !path.empty()) open(path);
     shaders_.look();
     if (loading_words() != session_.loading) break; // to be said
@@ -64,6 +62,8 @@ void Application::frame() {
     open(path);
   session_.loading = loading_words();
 
+  see_events();
+  const auto began = Clock::now();
   window_->begin_frame();
   const ImGuiIO& io = ImGui::GetIO();
   // Dear ImGui's coordinates may be coarser than pixels.
@@ -83,10 +83,14 @@ void Application::frame() {
   play(std::chrono::duration<double>(now - last_frame_).count());
   last_frame_ = now;
   carry_out();
-  if (session_.scene && !broken_) draw();
+  const auto drew = Clock::now();
+  if (session_.scene && !broken_) attempt([this] { draw(); });
+  const double drawing = ms_since(drew);
   run_truth();
   const gpu::TextureRef shown = compose();
   window_->present(shown);
+  window_ms_ = ms_since(began) - drawing;
+  if (session_.scene && !broken_) attempt([this] { work(); });
 }
 
 } // namespace gg::viewer

@@ -5,10 +5,19 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace gg::viewer {
 namespace {
+
+// Keys of --material that it refuses for metals.
+constexpr std::array<std::string_view, 7> not_of_metals = {
+    "color",      "ior",       "thickness", "attenuation_distance", "attenuation_color",
+    "back_alpha", "dispersion"};
+constexpr ImGuiSliderFlags from_small = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
 
 class Controls {
 public:
@@ -46,15 +55,15 @@ public:
 
   void width() {
     const float alpha = microfacet_alpha(shown_);
-    if (float a = alpha;
-        ImGui::SliderFloat("alpha", &a, 0.0f, 1.0f, "%.4f", ImGuiSliderFlags_Logarithmic))
+    if (float a = alpha; ImGui::SliderFloat("alpha", &a, 0.0f, 1.0f, "%.4f", from_small))
       set_width("alpha", a);
-    if (float r = std::sqrt(alpha); ImGui::SliderFloat("roughness", &r, 0.0f, 1.0f, "%.3f"))
+    if (float r = std::sqrt(alpha);
+        ImGui::SliderFloat("roughness", &r, 0.0f, 1.0f, "%.3f", ImGuiSliderFlags_AlwaysClamp))
       set_width("roughness", r);
     finish();
     if (!lets_light_in()) return;
     float back = shown_.back_alpha.value_or(alpha);
-    if (ImGui::SliderFloat("back alpha", &back, 0.0f, 1.0f, "%.4f", ImGuiSliderFlags_Logarithmic))
+    if (ImGui::SliderFloat("back alpha", &back, 0.0f, 1.0f, "%.4f", from_small))
       set("back_alpha", fmt::format("{}", back));
   }
 
@@ -80,8 +89,26 @@ public:
     float distance =
         std::isfinite(shown_.attenuation_distance) ? shown_.attenuation_distance : 100.0f * radius;
     if (ImGui::SliderFloat("at distance", &distance, 1e-3f * radius, 100.0f * radius, "%.4g m",
-                           ImGuiSliderFlags_Logarithmic))
+                           from_small))
       set("attenuation_distance", fmt::format("{}", distance));
+  }
+
+  // Over all of these but unlit surfaces.
+  void layers() {
+    number("clearcoat", "clearcoat", shown_.clearcoat, 0.0f, 1.0f, "%.3f");
+    if (shown_.clearcoat > 0.0f)
+      number("coat roughness", "clearcoat_roughness", shown_.clearcoat_roughness, 0.0f, 1.0f,
+             "%.3f");
+    number("thin film", "iridescence", shown_.iridescence, 0.0f, 1.0f, "%.3f");
+    if (shown_.iridescence > 0.0f) {
+      number("film IOR", "iridescence_ior", shown_.iridescence_ior, 1.0f, 4.0f, "%.3f");
+      number("film thickness", "iridescence_thickness", shown_.iridescence_thickness.y, 0.0f,
+             2000.0f, "%.0f nm");
+    }
+    number("brushing", "anisotropy", shown_.anisotropy_strength, 0.0f, 1.0f, "%.3f");
+    if (shown_.anisotropy_strength > 0.0f)
+      number("brushed along", "anisotropy_rotation", glm::degrees(shown_.anisotropy_rotation),
+             -180.0f, 180.0f, "%.0f deg");
   }
 
   bool is_metal() const { return shown_.conductor.has_value(); }
@@ -108,9 +135,7 @@ private:
     for (const scene::Index i : chosen_) {
       const bool metal =
           session_.scene->materials[static_cast<std::size_t>(i)].conductor.has_value();
-      const std::string name = key;
-      if (!metal || name == "alpha" || name == "roughness" || name == "finish"
-          || name == "distribution")
+      if (!metal || std::ranges::find(not_of_metals, std::string_view(key)) == not_of_metals.end())
         edit_of(session_.view, i).set(key, value);
     }
     session_.requests.materials = true;
@@ -164,6 +189,7 @@ void draw_material_panel(Session& session) {
     controls.colour();
     controls.glass();
   }
+  controls.layers();
   controls.reset();
   ImGui::SameLine();
   if (ImGui::Button("Undo")) session.requests.undo = true;

@@ -106,6 +106,7 @@ void Application::fail(const Error& error) {
 
 void Application::adopt(Loading::Done done) {
   truth_.stop();
+  warmup_->forget();
   session_.report.reset();
   auto map = done.map ? std::make_shared<const environment::Map>(std::move(*done.map)) : nullptr;
   picture_->light(building_ ? std::make_shared<const environment::Stack>(building_->stack())
@@ -151,6 +152,7 @@ void Application::adopt(Loading::Done done) {
 void Application::adopt_pose(Loading::Done done) {
   if (done.view.scene != session_.view.scene || !done.scene) return; // another has come meanwhile
   truth_.stop();
+  warmup_->forget();
   session_.report.reset();
   done.scene->materials = session_.scene->materials;
   session_.scene = std::move(done.scene);

@@ -11,11 +11,23 @@ constexpr int frames_to_grow = 5;
 
 } // namespace
 
+void Pace::want(double frames_per_second, double others_ms) {
+  const double frame_ms = 1000.0 / frames_per_second;
+  wanted_ms_ = std::max(frame_ms - others_ms, frame_ms / 3.0);
+}
+
+void Pace::begin(double full_ms) {
+  if (begun_) return;
+  // To the next step, so that the first frame is in time.
+  step_ = std::clamp(static_cast<int>(std::ceil(std::log2(full_ms / wanted_ms_))), 0, most_steps);
+}
+
 double Pace::scale() const {
   return std::exp2(-0.5 * step_);
 }
 
 void Pace::took(double ms) {
+  begun_ = true;
   // Each step halves the pixels, and a frame's time is in proportion to them at most.
   if (ms > wanted_ms_) {
     const int down = std::max(1, static_cast<int>(std::lround(std::log2(ms / wanted_ms_))));

@@ -5,7 +5,10 @@ namespace gg::viewer {
 
 class Pace {
 public:
-  void want(double frames_per_second) { wanted_ms_ = 1000.0 / frames_per_second; }
+  // `others_ms`: what a frame takes besides the picture, which gets a third of the time at least.
+  void want(double frames_per_second, double others_ms = 0.0);
+  // Before the first frame: what a picture took at full size.
+  void begin(double full_ms);
 
   // The part of the full width and height to draw while something moves: 1, or less by steps of the root of two (so that targets
   // are rarely made anew), not below an eighth.
@@ -17,6 +20,7 @@ public:
 private:
   double wanted_ms_ = 1000.0 / 30.0;
   int step_ = 2; // a half to begin with: nothing is known
+  bool begun_ = false;
   int in_time_ = 0;
 };
 

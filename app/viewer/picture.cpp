@@ -59,9 +59,8 @@ void Picture::set(frame::FrameDesc desc, bool exact) {
     drawn.at = desc_.camera.world[3];
     drawn.origin->move_to(drawn.at);
   }
-  desc_.camera.world[3] -= glm::vec4(drawn.at, 0.0f);
+  place(desc_);
   std::ranges::copy(scene_->materials, drawn.scene.materials.begin()); // where renderers know them
-  desc_.environment = {stack_.get(), rotation_, intensity_};
   if (renderer_) {
     if (exact) renderer_->scene_changed();
     renderer_->set(desc_);
@@ -70,17 +69,50 @@ void Picture::set(frame::FrameDesc desc, bool exact) {
   }
   drawn_stack_ = stack_; // until now the renderer read the one before
   drawn_ = 0;
+  pass_ = 0;
+}
+
+void Picture::place(frame::FrameDesc& desc) const {
+  desc.camera.world[3] -= glm::vec4(drawn_scene_->at, 0.0f);
+  desc.environment = {stack_.get(), rotation_, intensity_};
+}
+
+void Picture::draw_pass(std::map<std::string, double>* times) {
+  renderer_->draw_pass(drawn_, pass_, times);
+  if (++pass_ < renderer_->pass_count(drawn_)) return;
+  pass_ = 0;
+  ++drawn_;
+  texture_ = renderer_->picture();
+  factor_ =
+      desc_.samples > 1 ? static_cast<float>(desc_.samples) / static_cast<float>(drawn_) : 1.0f;
 }
 
 void Picture::draw_sample(std::map<std::string, double>* times) {
-  renderer_->draw_sample(drawn_, times);
-  ++drawn_;
+  do
+    draw_pass(times);
+  while (amid_sample());
 }
 
-float Picture::factor() const {
-  return drawn_ > 0 && desc_.samples > 1
-             ? static_cast<float>(desc_.samples) / static_cast<float>(drawn_)
-             : 1.0f;
+std::vector<gpu::PipelineDesc> Picture::missing(frame::FrameDesc desc, const Materials* materials) {
+  place(desc);
+  const auto put = [this](const Materials& from) {
+    std::ranges::copy(from, drawn_scene_->scene.materials.begin());
+  };
+  if (materials) put(*materials);
+  auto pipelines = renderer_->missing(desc);
+  if (materials) put(scene_->materials);
+  return pipelines;
+}
+
+void Picture::set_unseen(frame::FrameDesc desc, const Materials* materials) {
+  place(desc);
+  if (materials) std::ranges::copy(*materials, drawn_scene_->scene.materials.begin());
+  renderer_->set(desc);
+}
+
+void Picture::set_seen() {
+  std::ranges::copy(scene_->materials, drawn_scene_->scene.materials.begin());
+  renderer_->set(desc_);
 }
 
 image::Image Picture::read() {

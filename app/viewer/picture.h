@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gg::viewer {
 
@@ -41,14 +42,25 @@ public:
   bool is_open() const { return renderer_ != nullptr; }
   int drawn() const { return drawn_; }
   bool done() const { return renderer_ && drawn_ >= desc_.samples; }
-  void draw_sample(std::map<std::string, double>* times = nullptr);
+  void draw_sample(std::map<std::string, double>* times = nullptr); // the rest of it
+  void draw_pass(std::map<std::string, double>* times = nullptr);   // the next one of a sample
+  bool amid_sample() const { return pass_ > 0; }
+
+  // Frames that nobody sees, so that one like them finds made what it is drawn with. While one is set nothing else is drawn or read;
+  // then the picture is set again, with what has been drawn of it. `materials`: in place of the scene's.
+  using Materials = std::vector<scene::Material>;
+  std::vector<gpu::PipelineDesc> missing(frame::FrameDesc desc, const Materials* materials);
+  void make(const gpu::PipelineDesc& pipeline) { renderer_->make(pipeline); }
+  void set_unseen(frame::FrameDesc desc, const Materials* materials);
+  std::size_t unseen_passes() const { return renderer_->pass_count(0); }
+  void draw_unseen(std::size_t pass) { renderer_->draw_pass(0, pass); }
+  void set_seen();
 
   const frame::FrameDesc& desc() const { return desc_; }
-  const gpu::TextureRef& texture() const {
-    return renderer_->picture();
-  }                     // drawn() / samples of the radiance
-  float factor() const; // that makes it radiance
-  image::Image read();  // finished, as capture writes it
+  // What is to be shown: of the last finished sample, which may be of a set() before; null: there is none yet.
+  const gpu::TextureRef& texture() const { return texture_; } // some part of the radiance:
+  float factor() const { return factor_; }                    // this makes it radiance
+  image::Image read();                                        // finished, as capture writes it
   const frame::Renderer& renderer() const { return *renderer_; }
 
 private:
@@ -59,6 +71,8 @@ private:
     glm::vec3 at{0.0f}; // where its origin is
   };
 
+  void place(frame::FrameDesc& desc) const; // as seen from the drawn scene's origin
+
   gpu::Device& device_;
   std::shared_ptr<const scene::Scene> scene_;
   std::shared_ptr<Drawn> drawn_scene_;
@@ -67,6 +81,9 @@ private:
   frame::FrameDesc desc_;
   std::unique_ptr<frame::Renderer> renderer_;
   int drawn_ = 0;
+  std::size_t pass_ = 0; // of the sample that is being drawn
+  gpu::TextureRef texture_;
+  float factor_ = 1.0f;
 };
 
 } // namespace gg::viewer

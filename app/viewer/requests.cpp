@@ -63,6 +63,7 @@ void Application::carry_out() {
 void Application::change_materials() {
   truth_.stop(); // it reads them
   sight_.reset();
+  const std::size_t streams = session_.scene->streams.size();
   try {
     apply_edits(session_);
   } catch (const Error&) {
@@ -70,6 +71,10 @@ void Application::change_materials() {
     apply_edits(session_);
     throw;
   }
+  if (session_.scene->streams.size() == streams) return;
+  picture_->pose(session_.scene); // what is brushed has got tangents
+  second_.reset();
+  second_method_.clear();
 }
 
 std::string Application::words(const std::string& command, const std::string& output) const {

@@ -23,6 +23,7 @@ Comparing comparing_of(const std::string& name) {
 Application::Application(const Settings& settings, const Commands& commands)
     : settings_(settings), commands_(commands), window_(gpu::create_window(settings.window)),
       picture_(std::make_unique<Picture>(window_->device())),
+      warmup_(std::make_unique<Warmup>(*picture_)),
       display_(std::make_unique<DisplayPass>(window_->device())),
       loading_(commands, [this] { window_->wake(); }), truth_([this] { window_->wake(); }),
       shaders_(settings.window.backend, [this] { window_->wake(); }) {

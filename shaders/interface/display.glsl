@@ -1,8 +1,8 @@
 // display.glsl: how the viewer shows a picture. One text for GLSL and C++ (app/viewer/display_pass.cpp).
 
 struct DisplayData {
-    vec4 area;    // x, y: width and height of the picture on the screen, pixels; z: width of the outline, 0 for none; w: unused
-    vec4 picture; // x: factor on its values; y: tone curve, 0 none, 1 neutral, 2 ACES, 3 AgX; z, w: unused
+    vec4 area;    // x, y: width and height of the picture on the screen, pixels; z: width of the outline; w: unused
+    vec4 picture; // x: factor on its values; the others are unused
     vec4 other;   // x: factor on its values; y: 1 encoded for display already; z: where it begins, as a part of the width; w: 1 both
                   // pictures are halves side by side, each cut from its middle
     vec4 around;  // encoded colour of what is not picture

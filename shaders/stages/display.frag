@@ -4,6 +4,11 @@
 #include "color/tonemap.glsl"
 #include "interface/display.glsl"
 
+// Constants, for software devices run both sides of a branch.
+layout(constant_id = 0) const int toneCurve = 1; // 0 none, 1 neutral, 2 ACES, 3 AgX
+layout(constant_id = 1) const bool hasOther = false;
+layout(constant_id = 2) const bool hasOutline = false;
+
 layout(binding = 1) uniform sampler2D pictureColor;
 layout(binding = 2) uniform sampler2D otherColor;
 layout(binding = 3) uniform sampler2D pickedMask;
@@ -11,10 +16,9 @@ layout(binding = 3) uniform sampler2D pickedMask;
 layout(location = 0) out vec4 outColor;
 
 vec3 toneMapped(vec3 radiance) {
-    int curve = int(display.picture.y);
-    if (curve == 1) return tonemapNeutral(radiance);
-    if (curve == 2) return tonemapAces(radiance);
-    if (curve == 3) return tonemapAgx(radiance);
+    if (toneCurve == 1) return tonemapNeutral(radiance);
+    if (toneCurve == 2) return tonemapAces(radiance);
+    if (toneCurve == 3) return tonemapAgx(radiance);
     return clamp(radiance, 0.0, 1.0);
 }
 
@@ -23,7 +27,6 @@ vec3 encoded(vec3 radiance) { return srgbFromLinearRgb(toneMapped(radiance)); }
 // 1 beside what is picked, within the outline's width.
 float outline(vec2 at) {
     float width = display.area.z;
-    if (width <= 0.0) return 0.0;
     vec2 size = display.area.xy;
     if (textureLod(pickedMask, at / size, 0.0).x > 0.5) return 0.0;
     float near = 0.0;
@@ -41,17 +44,13 @@ void main() {
         outColor = display.around;
         return;
     }
-    bool other = at.x >= display.other.z * size.x;
     vec2 uv = at / size;
-    if (display.other.w > 0.5) uv.x = other ? uv.x - 0.25 : uv.x + 0.25;
-    vec3 color = vec3(0.0);
-    if (other) {
-        color = textureLod(otherColor, uv, 0.0).xyz * display.other.x;
-        if (display.other.y < 0.5) color = encoded(color);
-    } else {
-        color = encoded(textureLod(pictureColor, uv, 0.0).xyz * display.picture.x);
-    }
-    if (abs(at.x - display.other.z * size.x) < 1.0 && display.other.z > 0.0 && display.other.z < 1.0) color = vec3(1.0);
-    color = mix(color, vec3(1.0, 0.62, 0.16), outline(uv * size));
+    bool other = hasOther && at.x >= display.other.z * size.x;
+    if (hasOther && display.other.w > 0.5) uv.x = other ? uv.x - 0.25 : uv.x + 0.25;
+    vec3 color = textureLod(pictureColor, uv, 0.0).xyz * display.picture.x;
+    if (hasOther && other) color = textureLod(otherColor, uv, 0.0).xyz * display.other.x;
+    color = hasOther && other && display.other.y > 0.5 ? color : encoded(color);
+    if (hasOther && abs(at.x - display.other.z * size.x) < 1.0 && display.other.z > 0.0 && display.other.z < 1.0) color = vec3(1.0);
+    if (hasOutline) color = mix(color, vec3(1.0, 0.62, 0.16), outline(uv * size));
     outColor = vec4(color, 1.0);
 }

@@ -52,5 +52,20 @@ TEST(pace, answers_at_once_where_it_is_much_too_slow) {
   EXPECT_LE(500.0 * pace.scale() * pace.scale(), 1000.0 / 30.0);
 }
 
+TEST(pace, begins_in_time_when_it_knows_the_full_size) {
+  for (const double full : {10.0, 50.0, 200.0, 1000.0}) {
+    Pace pace;
+    pace.want(30.0);
+    pace.begin(full);
+    EXPECT_LE(full * pace.scale() * pace.scale(), 1000.0 / 30.0) << full;
+  }
+}
+
+TEST(pace, leaves_the_picture_a_third_of_a_frame) {
+  Pace pace;
+  pace.want(30.0, 100.0); // what the window takes is beyond the wanted time alone
+  EXPECT_GE(settled(pace, 60.0), 0.5 * 1000.0 / 90.0);
+}
+
 } // namespace
 } // namespace gg::viewer
