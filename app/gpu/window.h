@@ -26,7 +26,7 @@ struct WindowDesc {
 namespace key {
 constexpr int right = 262, left = 263, down = 264, up = 265, home = 268;
 constexpr int escape = 256, enter = 257, tab = 258, f1 = 290, f11 = 300, keypad_0 = 320,
-              keypad_period = 330;
+              keypad_period = 330, keypad_enter = 335;
 } // namespace key
 
 // A key that went down, or was held until it was repeated.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gg::viewer {
@@ -76,9 +77,13 @@ void Application::frame() {
     session_.requests.camera |= session_.scene != nullptr;
   }
   inspect();
+  const std::vector<gpu::KeyPress> keys = window_->take_keys();
+  session_.entered = std::ranges::any_of(keys, [](const gpu::KeyPress& press) {
+    return press.key == gpu::key::enter || press.key == gpu::key::keypad_enter;
+  });
   draw_panels(session_, commands_.methods, window_->scale());
   const auto now = Clock::now();
-  take_input(session_, {width, io.DisplaySize.y}, window_->take_keys(), window_->take_drags(),
+  take_input(session_, {width, io.DisplaySize.y}, keys, window_->take_drags(),
              std::chrono::duration<double>(now - last_frame_).count());
   play(std::chrono::duration<double>(now - last_frame_).count());
   last_frame_ = now;

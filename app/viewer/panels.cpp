@@ -28,9 +28,10 @@ void leave_room_for(const char* button) {
 void draw_scene_panel(Session& session) {
   static std::string path;
   leave_room_for("Open");
-  const bool entered =
+  bool entered =
       ImGui::InputTextWithHint("##path", ".gltf, .glb, .hdr or .exr: type, or drop it here", &path,
                                ImGuiInputTextFlags_EnterReturnsTrue);
+  entered |= session.entered && ImGui::IsItemActive();
   ImGui::SameLine();
   if ((ImGui::Button("Open") || entered) && !path.empty()) session.requests.open = path;
   if (!session.recent.empty() && ImGui::BeginCombo("##recent", "recent files")) {

@@ -53,6 +53,8 @@ struct Session {
   std::vector<Thumbnail> environments; // that come with the program
 
   bool panel = true;
+  bool entered =
+      false; // Enter was pressed: Dear ImGui misses it where it is released within the same frame
   double frames_per_second = 30.0; // wanted while something moves
   bool turntable = false;
   bool playing = false;               // the animation runs

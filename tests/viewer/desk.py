@@ -63,6 +63,8 @@ class Viewer:
         # Not the user's caches, but kept: compiled shaders serve the next test.
         cache = Path(program).parent / "tests/viewer/cache"
         environment = dict(os.environ, DISPLAY=desk.name, XDG_CACHE_HOME=str(cache))
+        if "VIEWER_PRELOAD" in environment: # of the viewer alone, not of this
+            environment["LD_PRELOAD"] = environment["VIEWER_PRELOAD"]
         if home:
             environment["GROUNDGLASS_HOME"] = str(home)
         if layers:

@@ -17,6 +17,7 @@ SCENE = str(SOURCE / "assets/scenes/slabs-0.2.glb")
 SMALL = ["--samples", "2", "--fps", "5"]
 PLAIN = ["--method", "standard", "--env", "0.5,0.6,0.7"] # fewer shaders, and no environment to prefilter: most tests need neither
 PROGRAM, BACKEND = "", ""
+RECENT_SECOND = 46 # below the list of recent files, its second entry
 ALPHA_ROW = 199  # of the slider, in a window with the panel as it begins
 
 
@@ -287,21 +288,23 @@ def at_twice_the_scale_the_panel_fits():
             assert v.close() == 0, v.errors()
 
 
-def moving(path):
-    """A glTF file of a square that an animation moves for a second."""
-    floats = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0]
+def moving(path, half=1.0, cameras=0):
+    """A glTF file of a square that an animation moves for a second, of `half` metres to each side, and so many cameras."""
+    floats = [half * f for f in (-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0)] + [0, 1, 0, 0, 0, 2, 0, 0]
     data = struct.pack("<20f6H", *floats, 0, 1, 2, 0, 2, 3)
     view = lambda at, length: {"buffer": 0, "byteOffset": at, "byteLength": length}
     accessor = lambda at, component, count, kind, **rest: {
         "bufferView": at, "componentType": component, "count": count, "type": kind, **rest}
     path.write_text(json.dumps({
-        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(1 + cameras))}],
+        "nodes": [{"mesh": 0}] + [{"camera": i, "translation": [0, 0, 4 + i]} for i in range(cameras)],
+        **({"cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}] * cameras} if cameras else {}),
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 3}]}],
         "animations": [{"samplers": [{"input": 1, "output": 2}],
                         "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}],
         "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
         "bufferViews": [view(0, 48), view(48, 8), view(56, 24), view(80, 12)],
-        "accessors": [accessor(0, 5126, 4, "VEC3", min=[-1, -1, 0], max=[1, 1, 0]),
+        "accessors": [accessor(0, 5126, 4, "VEC3", min=[-half, -half, 0], max=[half, half, 0]),
                       accessor(1, 5126, 2, "SCALAR", min=[0], max=[1]), accessor(2, 5126, 2, "VEC3"),
                       accessor(3, 5123, 6, "SCALAR")]}))
 
@@ -321,6 +324,76 @@ def an_animation_plays_and_stands_still():
             assert v.copied() == line and option(line, "--eye"), line
             assert_saved_is_copied(desk, v)
             assert v.close() == 0, v.errors()
+
+
+def the_view_is_framed_turned_and_shown_on_the_full_screen():
+    with Desk() as desk:
+        scene = desk.path / "square.gltf"
+        moving(scene, cameras=2)
+        with viewer(desk, "--no-panel", scene=str(scene), size=(320, 240)).open() as v:
+            seen = lambda: len(colours(desk, 150, 110, 170, 130) - colours(desk, 0, 0, 4, 100))
+            for _ in range(12):
+                v.key("minus")
+            far = v.copied_when(lambda line: option(line, "--eye") and distance(line) > 10, "the key moved nothing away")
+            v.key("f")
+            framed = v.copied_when(lambda line: distance(line) < 0.6 * distance(far), "not all was framed")
+            v.key("minus")
+            v.rest()
+            v.click(160, 120)
+            v.key("period")
+            v.copied_when(lambda line: abs(distance(line) / distance(framed) - 1) < 0.01, "what is picked was not framed")
+            v.key("r")
+            v.copied_when(lambda line: abs(vector(line, "--eye")[0]) > 0.2, "the turntable stands")
+            v.key("r")
+            v.rest()
+            line = v.copied()
+            time.sleep(0.3)
+            assert v.copied() == line, "the turntable goes on"
+            v.key("F11")
+            v.wait_for(lambda: v.window.get_geometry().width == 980, "the full screen")
+            v.copied_when(lambda line: option(line, "--size") == ["980x660"], "the picture of the full screen")
+            v.key("F11")
+            v.copied_when(lambda line: option(line, "--size") == ["320x240"], "the window again")
+            v.window.unmap() # as window managers hide it
+            desk.display.sync()
+            time.sleep(0.3)
+            v.window.map()
+            desk.display.sync()
+            v.rest()
+            assert seen(), "the window is empty after it was hidden"
+            assert v.close() == 0, v.errors()
+
+
+def a_typed_path_is_opened_and_a_recent_one_chosen():
+    with Desk() as desk:
+        moving(desk.path / "a.gltf")
+        moving(desk.path / "b.gltf")
+        with viewer(desk, scene=str(desk.path / "b.gltf")).open() as v:
+            v.click(700, 42)
+            for key in ("a", "period", "g", "l", "t", "f", "Return"):
+                v.key(key)
+            v.wait_for(lambda: "a.gltf" in v.title(), "the scene whose path was typed")
+            recent = (Path(PROGRAM).parent / "tests/viewer/cache/groundglass/recent-scenes").read_text().splitlines()
+            assert [Path(line).name for line in recent[:2]] == ["a.gltf", "b.gltf"], recent
+            v.click(700, 66)
+            v.click(700, 66 + RECENT_SECOND)
+            v.wait_for(lambda: "b.gltf" in v.title(), "the recent file")
+            assert v.close() == 0, v.errors()
+
+
+def what_is_millimetres_wide_or_a_hundred_metres_is_seen():
+    with Desk() as desk:
+        for half in (0.00375, 50.0):
+            scene = desk.path / "square.gltf"
+            moving(scene, half=half)
+            with viewer(desk, "--no-panel", scene=str(scene), size=(320, 240)).open() as v:
+                v.drag((100, 100), (130, 110))
+                line = v.copied_when(lambda line: option(line, "--eye"), "it does not turn")
+                assert 2 * half < distance(line) < 10 * half, line
+                v.rest()
+                assert desk.screen()[120][160] != desk.screen()[4][4], "nothing is seen in the middle"
+                assert_saved_is_copied(desk, v)
+                assert v.close() == 0, v.errors()
 
 
 def validation_is_silent():
