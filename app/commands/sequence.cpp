@@ -42,7 +42,7 @@ void add_options(Command command, Sequence& s) {
   command.option("--fps", &s.fps, "With --frames-out: frames a second of the animation");
   command.option("--from", &s.from, "With --frames-out: the first frame's time, in seconds");
   command.option("--to", &s.to,
-                 "With --frames-out: where it ends; without it, the animation's end");
+                 "With --frames-out: the last time; without it, the animation's end");
   command.option("--format", &s.format, "With --frames-out: png, jpg, exr, hdr or pfm");
 }
 

@@ -1,4 +1,4 @@
-// What a pass has at hand when it prepares and records.
+// What passes share when they make pipelines and record.
 #pragma once
 
 #include "frame/draws.h"

@@ -13,14 +13,14 @@ Graph graph_of(const needs::Needs& needs) {
   declare_deferred(graph, needs);
   declare_blended(graph, needs);
   for (std::size_t l = 0; l < needs.layers.size(); ++l) { // far to near
-    std::optional<Backdrop> backdrop;
+    std::optional<SceneCopy> scene_copy;
     if (needs.layers[l].shows_behind()) {
-      backdrop = declare_backdrop(graph, needs, l);
-      declare_foreground(graph, needs, l, *backdrop);
-      declare_pyramid(graph, *backdrop);
+      scene_copy = declare_scene_copy(graph, needs, l);
+      declare_foreground(graph, needs, l, *scene_copy);
+      declare_pyramid(graph, *scene_copy);
     }
     const std::optional<Input> interior = declare_interior(graph, needs, l);
-    declare_refractive(graph, needs, l, backdrop, interior);
+    declare_refractive(graph, needs, l, scene_copy, interior);
   }
   declare_accumulate(graph, needs);
   read_shadows(graph, needs);

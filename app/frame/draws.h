@@ -1,4 +1,4 @@
-// How a pass records what is drawn: a pipeline per pass and features, kept once compiled.
+// How a pass records draws: a pipeline per pass and features, kept once compiled.
 #pragma once
 
 #include "frame/uniform_array.h"

@@ -1,4 +1,4 @@
-// A frame graph on a device: its textures, and what each pass records.
+// A frame graph on a device: its textures and recorded passes.
 #pragma once
 
 #include "frame/context.h"

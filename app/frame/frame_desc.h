@@ -19,14 +19,14 @@ namespace gg::frame {
 
 using needs::Method;
 
-// The light from all around. `stack` null: there is none.
+// The environment. `stack` null: there is none.
 struct EnvironmentView {
   const environment::Stack* stack = nullptr;
   float rotation = 0.0f;  // radians about +Y, counter-clockwise seen from above
   float intensity = 1.0f; // factor on its radiance
 };
 
-// What the camera sees where nothing was drawn, and glass where it looks things up on the screen. Nothing else is lit by it.
+// What the camera sees where nothing was drawn, and what glass refracts of that. It lights nothing.
 struct Background {
   float sigma = 0.0f;             // radians, of a Gaussian over the environment; 0: as it is
   std::optional<glm::vec3> plain; // radiance, in the environment's place

@@ -38,7 +38,7 @@ struct Part {
   bool operator==(const Part&) const = default;
 };
 
-// What a pass reads of earlier ones, under the name that its shaders give it.
+// A target of earlier passes that a pass reads, under the name that its shaders give it.
 struct Input {
   const char* name;
   Part part;

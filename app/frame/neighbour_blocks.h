@@ -1,4 +1,4 @@
-// What shaders are told of the neighbours of draws.
+// Uniform data of the neighbours of draws.
 #pragma once
 
 #include "needs/needs.h"

@@ -1,4 +1,4 @@
-// What shaders are told of shadow maps.
+// Uniform data of shadow maps.
 #pragma once
 
 #include "needs/shadow_maps.h"

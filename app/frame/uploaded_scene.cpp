@@ -26,8 +26,8 @@ void set_rows(const Slot& slot, glm::vec4& row0, glm::vec4& row1) {
 }
 
 // KHR_materials_volume: white light has attenuation_color after attenuation_distance, so the
-// coefficient is -ln(color) / distance. Black would be infinite: the least normal float stands for
-// it, which no picture tells from 0.
+// coefficient is -ln(color) / distance. Black would be infinite: the least normal float is used in its place, which
+// no picture tells from 0.
 glm::vec3 absorption_of(const Material& m) {
   if (!std::isfinite(m.attenuation_distance) || !(m.attenuation_distance > 0.0f))
     return glm::vec3(0.0f);

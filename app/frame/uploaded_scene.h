@@ -1,4 +1,4 @@
-// A scene on the device: every stream, index list and image that its frame reads, once, whoever shares it.
+// A scene on the device: every stream, index list and image that its frame reads, once each.
 #pragma once
 
 #include "frame/neighbour_blocks.h"

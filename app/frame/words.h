@@ -1,4 +1,4 @@
-// The frame graph in words: for who reads it, and for programs.
+// The frame graph as text and as JSON.
 #pragma once
 
 #include "frame/declare.h"

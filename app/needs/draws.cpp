@@ -68,7 +68,7 @@ bool shares_body(const Draw& draw, const std::vector<Draw>& draws) {
   });
 }
 
-// A smooth part of a body that is rough elsewhere: rays leave it by rough faces, which tables tell.
+// A smooth part of a body that is rough elsewhere: rays leave it by rough faces, whose lobes are in tables.
 void let_leave_by_rough_faces(std::vector<Draw>& draws, const View& view) {
   const auto is_smooth = [](const Draw& d) { return value_of(d.key, Feature::smooth) != 0; };
   for (Draw& draw : draws) {
@@ -84,7 +84,7 @@ void let_leave_by_rough_faces(std::vector<Draw>& draws, const View& view) {
 }
 
 // Whether something that is in the depth when the solid is drawn reaches into the box around it: something opaque, or glass that
-// makes an image and lies within. What stands on the floor touches it: a thousandth of the solid's size does not count.
+// makes an image and lies within. A floor touches a body on it: a thousandth of the solid's size does not count.
 bool holds_something(const Draw& solid, const std::vector<Draw>& draws) {
   const glm::vec3 least(1e-3f * solid.bounds.radius());
   return std::ranges::any_of(draws, [&](const Draw& other) {
@@ -114,8 +114,8 @@ bool faces_differ(const Draw& draw, const std::vector<Draw>& draws) {
          });
 }
 
-// Pairs of a front and a back face that the rays inside are followed through. Peers' method takes the material's word
-// for the way inside; what bends nothing needs it only where it absorbs, and then from its first front to its first back.
+// Pairs of a front and a back face that the rays inside are followed through. `standard` takes the material's
+// thickness for the way inside; what bends nothing needs it only where it absorbs, and then from its first front to its first back.
 int interior_pairs(const Draw& draw, const View& view, const scene::Instance& instance,
                    Shapes& shapes) {
   if (!draw.is_solid() || view.method == Method::standard) return 0;
@@ -139,7 +139,7 @@ bool is_seen_from_within(const Draw& draw, const scene::SolidShape& shape,
   return shape.closed ? is_cut_open(draw.bounds, clip_from_world) : draw.both_sides;
 }
 
-// Peers' method is a surface like any other, and the layer holds depth, normal and alpha alone.
+// `standard` shades glass like any surface, and the layer holds depth, normal and alpha alone.
 bool is_by_pixel(const Draw& draw) {
   return value_of(draw.key, Feature::interior_pairs) > 0 && !draw.is_straight()
          && value_of(draw.key, Feature::seen_from_within) == 0

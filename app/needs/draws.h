@@ -39,7 +39,8 @@ struct Draw {
   const scene::Primitive* primitive = nullptr;
   const scene::Material* material = nullptr;
   std::size_t material_index = 0, instance_index = 0; // among those that are drawn
-  scene::Index body = scene::none; // of a solid, the material that stands for it (scene/bodies.h)
+  scene::Index body =
+      scene::none; // of a solid: its body, as the first of its materials (scene/bodies.h)
   Role role = Role::opaque;
   FeatureKey key{};
   scene::Bounds bounds;  // in the world
@@ -48,20 +49,20 @@ struct Draw {
   std::vector<Map> maps;
   std::size_t index_count = 0;
   std::vector<std::uint32_t> neighbours;  // proxies (needs/neighbours.h)
-  std::optional<std::uint32_t> own_proxy; // if one stands for all of its body
+  std::optional<std::uint32_t> own_proxy; // if one proxy is all of its body
   bool mirrored = false, both_sides = false;
-  // Blended and, unless a map says otherwise, more there than not: what looks for what stands behind glass finds it.
+  // Blended with an alpha of a half or more, unless a map says otherwise: lookups through glass find it.
   bool fills_depth = false;
   bool planar = false; // glass without thickness in one plane: of its two sides one is seen
-  // Shaded by the pixels that show it, not by its triangles: glass whose first layer of the inside holds all that its shading takes
+  // Deferred shading: glass whose first interior layer holds all that its shading takes
   // from the mesh (stages/refractive_region.frag), and opaque meshes so fine that it pays (stages/opaque_region.frag).
   bool by_pixel = false;
-  // Glass that makes an image of its own close by, as lenses do: what looks at it from behind other glass finds its light there.
-  // What is flat and convex shows the world behind it where that is.
+  // Glass that forms an image close by, as lenses do: other glass finds its light at its own depth. Flat glass shows what is behind it
+  // where that is.
   bool images = false;
 
   bool is_solid() const { return role == Role::refractive && material->thickness > 0.0f; }
-  // Whether it only lets through what is behind it, unbent.
+  // Whether it only transmits, without refraction.
   bool is_straight() const { return value_of(key, Feature::index_one) != 0; }
 };
 
@@ -72,14 +73,14 @@ struct Draws {
   std::vector<scene::Index> bodies;              // that these bound, by material_index
   std::vector<const scene::Instance*> instances; // by instance_index
   std::size_t outside = 0;   // primitives of instances that are left out: not in the view
-  std::size_t invisible = 0; // the same: glass of index 1 with nothing to it
+  std::size_t invisible = 0; // the same: glass of IOR 1 that does nothing
 };
 
 // What a draw is of: indices of its instance into the scene, and of its primitive into the instance's mesh.
 std::pair<std::size_t, std::size_t> place_in(const scene::Scene& scene, const Draws& draws,
                                              const Draw& draw);
 
-// `scene` must outlive the result. What is not in the view, or cannot be seen, is as if it were not in the file.
+// `scene` must outlive the result. Primitives outside of the view or invisible are left out.
 Draws draws_of(const scene::Scene& scene, const View& view, Shapes& shapes);
 
 // Whether nothing of the box can be within a pixel of the picture: samples lie half a pixel off, and rounding far less.

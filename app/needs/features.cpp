@@ -44,7 +44,7 @@ bool absorbs(const Material& m) {
          && m.attenuation_color != glm::vec3(1.0f);
 }
 
-// Nothing of it is diffuse or metal: glass alone.
+// Neither diffuse nor metal: glass alone.
 bool is_all_glass(const Material& m) {
   return is_refractive(m) && m.transmission == 1.0f && !m.transmission_map && m.metallic <= 0.0f;
 }
@@ -186,7 +186,7 @@ bool is_invisible(const Material& m, const Primitive& primitive) {
 
 Features features_of(const scene::Scene& scene, const Material& m, const Primitive& primitive,
                      const FrameFeatures& frame_wants) {
-  // Glass of index 1 meets no light on its way: it reflects none and has no base.
+  // Glass of IOR 1 reflects nothing and has no base.
   FrameFeatures frame = frame_wants;
   if (is_all_glass(m) && m.ior == 1.0f) frame.environment = frame.lights = false;
 
@@ -241,14 +241,14 @@ Features features_of(const scene::Scene& scene, const Material& m, const Primiti
   set(Feature::lights, frame.lights);
   set(Feature::multiple_scattering, frame.multiple_scattering);
   if (shading == Shading::dielectric || shading == Shading::mixed)
-    // A coloured or weakened F0 is no index of refraction: Schlick's form is all that is left.
+    // A coloured or weakened F0 has no IOR: Schlick's form is used.
     // glTF's ior 0 asks for F = 1 at every angle, which Schlick gives with F0 = 1.
     set(Feature::schlick_dielectric, m.specular != 1.0f || m.specular_color != glm::vec3(1.0f)
                                          || m.ior == 0.0f || m.specular_map
                                          || m.specular_color_map);
   if (const Transmission transmission = transmission_of(m); transmission != Transmission::none) {
     set(Feature::transmission, transmission);
-    // Peers' method asks for no index.
+    // `standard` needs no IOR.
     set(Feature::index_one, m.ior == 1.0f && frame.method != Method::standard);
     set(Feature::dispersion, m.dispersion > 0.0f && uses(Feature::dispersion));
     if (transmission == Transmission::solid)

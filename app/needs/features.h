@@ -11,10 +11,10 @@
 
 namespace gg::needs {
 
-// How light from the surroundings is looked up. Any number that is no name below is fis(N).
+// How the environment and other bodies are looked up. Any number without a name below is fis(N).
 enum class Method : int {
   standard =
-      0, // what peers do: split sum along the mirror direction; one interface, its LOD by index
+      0, // the usual approximation: split sum along the mirror direction; one interface, its LOD by IOR
   lobes1 = 1, // so many fitted Gaussians
   lobes2 = 2,
   lobes3 = 3,
@@ -69,7 +69,7 @@ enum class Feature : std::uint32_t {
   clearcoat_map,
   clearcoat_roughness_map,
   clearcoat_normal_map,
-  anisotropy, // lobes that stand for the stretched one; 0: none
+  anisotropy, // lobes in place of the stretched one; 0: none
   anisotropy_map,
   iridescence,
   iridescence_map,
@@ -78,7 +78,7 @@ enum class Feature : std::uint32_t {
   diffuse_transmission,
   diffuse_transmission_map,
   diffuse_transmission_color_map,
-  hollows, // vertices know how much of what they see is their own mesh
+  hollows, // vertices hold the share of their cosine lobe that meets their own mesh
   count
 };
 using FeatureSet = std::bitset<static_cast<std::size_t>(Feature::count)>;
@@ -86,7 +86,7 @@ inline bool has(const FeatureSet& set, Feature feature) {
   return set[static_cast<std::size_t>(feature)];
 }
 
-// What the frame as a whole asks of every draw.
+// What every draw of a frame has in common.
 struct FrameFeatures {
   Method method = Method::lobes1;
   bool correlated_smith = false, multiple_scattering = false;
@@ -96,7 +96,7 @@ struct FrameFeatures {
 
 enum class Shading { unlit, dielectric, metal, mixed, conductor };
 enum class Transmission { none, thin, solid };
-// Bits of what a draw's neighbours are.
+// Kinds of a draw's neighbours, as bits.
 enum NeighbourKind {
   some_spheres = 1,
   some_rectangles = 2,
@@ -104,19 +104,19 @@ enum NeighbourKind {
   some_opaque = 8 // or in part
 };
 
-// How many lobes of isotropic surfaces stand for that of a brushed one (environment/stretched_lobe.glsl): none for one
-// that is not, and for glass, whose tables know one width. The error by their number: tests/bench/stretched_lobes.cpp.
+// How many lobes of isotropic surfaces replace that of a brushed one (environment/stretched_lobe.glsl): none for one
+// that is not brushed, and for glass, whose tables have one width. The error by their number: tests/bench/stretched_lobes.cpp.
 int anisotropy_lobes(const scene::Material& material, const scene::Primitive& primitive);
 
 // True for a material that light passes by refraction. Its alpha mode does not matter.
 bool is_refractive(const scene::Material& material);
 
-// Glass that is brushed is drawn as rough alike in all directions, of the same variance of slopes: its tables know one width.
+// Glass that is brushed is drawn as rough alike in all directions, of the same variance of slopes: its tables have one width.
 bool is_brushed_glass(const scene::Material& material);
 // The width of D that is drawn for one of the material's, of its front or its back.
 float drawn_alpha(const scene::Material& material, float alpha);
 
-// True for glass of index 1 that neither tints, absorbs nor glows: it shows what is behind it, to the bit, so it need not
+// True for glass of IOR 1 that neither tints, absorbs nor glows: it shows what is behind it, to the bit, so it need not
 // be drawn.
 bool is_invisible(const scene::Material& material, const scene::Primitive& primitive);
 

@@ -1,4 +1,4 @@
-// How much of what a vertex sees is its own body: in hollows the environment arrives by way of the thing itself.
+// Occlusion of a vertex by its own body: in hollows the environment's light arrives by reflection at the body's walls.
 #pragma once
 
 #include "needs/proxies.h"

@@ -1,4 +1,4 @@
-// The order of what light passes through: far to near, and together what does not overlap on the screen.
+// Layers of glass and blended surfaces, far to near; draws that do not overlap on the screen share one.
 #pragma once
 
 #include "needs/draws.h"
@@ -33,21 +33,19 @@ struct Region {
   ScreenBox box;
 };
 
-// Surfaces that are drawn with one picture of what is behind them.
+// Surfaces that share one copy of the scene behind them.
 struct Layer {
   std::vector<LayerDraw> refractive, blended;
   std::vector<Region> regions;
   std::vector<const Draw*>
-      foreground; // opaque draws that stand wholly in front of it and overlap it
-  std::vector<const Draw*>
-      solids;             // of the refractive draws, those whose inside rays are followed through
-  int interior_pairs = 0; // the most that one of them wants
+      foreground;                  // opaque draws that stand wholly in front of it and overlap it
+  std::vector<const Draw*> solids; // refractive draws inside which rays are followed
+  int interior_pairs = 0;          // the most that one of them wants
   bool shows_behind() const {
     return !refractive.empty() || !regions.empty();
-  }                   // what is behind it, as a picture
-  bool blurs = false; // and shifts it: needs that picture's pyramid and depth
-  bool interleaves =
-      false; // what is shaded deferred may stand, in parts, behind glass of a layer before
+  }                         // a copy of the scene behind it
+  bool blurs = false;       // and refracts it: needs its pyramid and depth
+  bool interleaves = false; // a deferred region may be partly behind glass of an earlier layer
 };
 
 // Refractive and blended draws by layer, the farthest first. The parts of a solid (one instance, one

@@ -1,4 +1,4 @@
-// Features that a frame can be drawn without, to see what each is worth.
+// Features that a frame can be drawn without, to measure each.
 #pragma once
 
 #include "needs/features.h"

@@ -1,4 +1,4 @@
-// What a scene's frame takes of the file to the device: images and buffers.
+// The images and buffers of a scene that its frame uploads.
 #pragma once
 
 #include "needs/draws.h"

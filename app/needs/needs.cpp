@@ -9,9 +9,9 @@
 namespace gg::needs {
 namespace {
 
-// Glass behind glass behind glass...: each layer takes a pyramid's time, not its memory. Past so many, surfaces
-// share the last one: they hide each other but do not show each other. What passes so many panes of common glass, .92 of the
-// light each, is below what floats of 32 bits add to what stands before them.
+// Each layer of glass behind glass takes a pyramid's time, not its memory. Past this many, surfaces share the last layer: they hide
+// each other but do not show each other. Light through so many panes of common glass, .92 each, is below the rounding of floats of 32
+// bits.
 constexpr std::size_t most_layers = 256;
 
 void sort_opaque(Needs& needs) {
@@ -27,12 +27,12 @@ void sort_opaque(Needs& needs) {
 void sort_layers(Needs& needs) {
   for (Layer& layer :
        layers_of(*needs.scene, needs.draws, clip_from_world(needs.view), most_layers)) {
-    // What lies over opaque surfaces alone needs no pass of its own.
+    // Blended surfaces over opaque ones alone need no pass of their own.
     if (needs.layers.empty() && !layer.shows_behind()) {
       needs.over_opaque.insert(needs.over_opaque.end(), layer.blended.begin(), layer.blended.end());
       continue;
     }
-    // It is cut out of the blur; what does not blur does not reach it.
+    // It is cut out of the blur, so it matters only where there is one.
     if (!layer.blurs) layer.foreground.clear();
     needs.layers.push_back(std::move(layer));
   }
@@ -50,7 +50,7 @@ scene::Bounds bounds_of(const std::vector<Draw>& draws, const scene::Bounds& sce
   return bounds;
 }
 
-// Gives draws that have hollows their coverage. What is brushed keeps its tangent where coverage would lie (stages/geometry.frag).
+// Gives draws that have hollows their coverage. Brushed surfaces keep their tangent in place of the coverage (stages/geometry.frag).
 void add_hollows(Needs& needs, Shapes& shapes) {
   for (Draw& draw : needs.draws.all) {
     if (draw.role != Role::opaque || value_of(draw.key, Feature::environment) == 0
@@ -86,7 +86,7 @@ Lookups lookups_of(const Draw& draw, Method method) {
     lookups.refracted = 1;
     return lookups;
   }
-  // Where the index depends on the wavelength each channel goes its own way.
+  // Dispersion: each channel has its own lobes.
   const int ways = value_of(draw.key, Feature::dispersion) != 0 ? 3 : 1;
   lookups.refracted = ways * lookups_per_lobe(method, interface_lobes(method));
   if (value_of(draw.key, Feature::interior_pairs) == 0) return lookups;

@@ -18,12 +18,12 @@
 
 namespace gg::needs {
 
-// Lookups of the blurred surroundings (picture or environment) that one pixel makes, at most.
+// Lookups of the scene-colour pyramid or the environment by one pixel, at most.
 struct Lookups {
-  int reflected = 0; // by a surface's own reflection
-  int refracted = 0; // of what is seen through glass, where light first comes to leave it
-  int internally_reflected = 0; // where it leaves after total reflections inside a solid
-  int residual = 0;             // for what has not left then
+  int reflected = 0;            // by a surface's own reflection
+  int refracted = 0;            // through glass, where light first leaves it
+  int internally_reflected = 0; // where it leaves after total internal reflections
+  int residual = 0;             // residual energy after these
   int sum() const { return reflected + refracted + internally_reflected + residual; }
 };
 Lookups lookups_of(const Draw& draw, Method method);
@@ -38,17 +38,17 @@ struct Needs {
   View view;
   Draws draws;
   // Near to far: the depth test then spares hidden shading.
-  std::vector<const Draw*> opaque;    // shaded by their triangles
+  std::vector<const Draw*> opaque;    // forward shaded
   std::vector<Region> opaque_regions; // of one material each, for deferred shading
   std::vector<LayerDraw> over_opaque; // blended surfaces with no glass behind them
   std::vector<Layer> layers;          // the farthest first, each with glass in it or behind it
-  bool has_neighbours = false;        // what leaves glass can meet other things
+  bool has_neighbours = false;        // light that leaves glass can meet other bodies
   std::shared_ptr<const Proxies>
-      proxies; // of all that stands in the scene; none where no draw asks for them
+      proxies; // of all bodies of the scene; none where no draw has neighbours
   std::shared_ptr<const Hollows>
-      hollows; // their streams follow the scene's own; none where no draw asks for them
+      hollows; // their streams follow the scene's own; none where no draw has hollows
   ShadowMaps shadows;
-  std::vector<Wall> walls; // that they can meet where the picture ends
+  std::vector<Wall> walls; // planar proxies where the picture ends
   bool sky = false;
   scene::Bounds bounds; // of what is drawn, in the world: beyond it no ray meets anything
 
@@ -57,7 +57,7 @@ struct Needs {
   std::vector<scene::Index> streams, index_lists; // of the scene, that draws read
   Lookups lookups;
 
-  // Some opaque surfaces are shaded after the pass that draws the others: blended ones lie over them later still.
+  // Some opaque surfaces are shaded after the opaque pass, and blended ones over them after that.
   bool shades_opaque_late() const { return !opaque_regions.empty(); }
   std::size_t triangle_count() const;                // per sample, each draw once
   const scene::Stream& stream(scene::Index i) const; // of `streams`

@@ -13,7 +13,7 @@ constexpr double in_plane = 1e-4; // of the size of what lies in a rectangle's p
 struct Candidate {
   std::uint32_t proxy;
   double importance; // steradians that it covers on average, about
-  double distance;   // metres to where it ends
+  double distance;   // metres to its far end
 };
 
 double distance_to(const scene::Bounds& box, const glm::vec3& point) {
@@ -26,7 +26,7 @@ glm::vec3 corner_of(const scene::Bounds& box, unsigned i) {
           i & 4u ? box.high.z : box.low.z};
 }
 
-// How much of what the points of a draw's box see a proxy covers.
+// The solid angle that a proxy covers, seen from points of a draw's box.
 struct Cover {
   double area =
       0.0; // m²: of its shadow; 0: none of the points is on the side that is met, or all lie in its plane
@@ -75,7 +75,7 @@ std::vector<std::uint32_t> neighbours_of(const Draw& draw, std::size_t body,
     if (proxy.body == body) continue;
     const Cover cover = cover_of(draw.bounds, proxy);
     if (!(cover.at_most() > least_solid_angle)) continue;
-    // A rectangle counts as far as it reaches: what stands on a floor hides it.
+    // A rectangle counts as far as it reaches: bodies on a floor hide it.
     const double reach = glm::length(glm::dvec3(proxy.side_u) + glm::dvec3(proxy.side_v));
     found.push_back({static_cast<std::uint32_t>(i),
                      cover.area / (cover.range * cover.range + size * size),

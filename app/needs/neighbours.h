@@ -1,4 +1,4 @@
-// Which proxies a draw has around it: what it reflects, what occludes it.
+// The neighbours of a draw: proxies that it reflects and that occlude it.
 #pragma once
 
 #include "needs/draws.h"

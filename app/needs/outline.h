@@ -19,7 +19,7 @@ struct Outline {
   void include(const glm::dvec2& place);
   void include_everything();
   void include(const Outline& other);
-  // False only where a line parts the two.
+  // False only where one of the eight directions separates the two.
   bool overlaps(const Outline& other) const;
 };
 

@@ -1,4 +1,4 @@
-// What stands in a scene, as simple shapes whose share of a Gaussian lobe has a closed form: spheres and rectangles
+// The bodies of a scene as simple shapes whose share of a Gaussian lobe has a closed form: spheres and rectangles
 // (shaders/neighbours/lobe_share.glsl).
 #pragma once
 
@@ -20,11 +20,11 @@ struct Proxy {
   glm::vec3 side_u{0.0f}, side_v{0.0f}; // half of its sides
   bool ball = false;                    // all of the body's surface lies on the sphere
   bool one_sided = false;               // a face of a box: met on the side of cross(side_u, side_v)
-  std::size_t body = 0;                 // the thing that it stands for, or is part of
+  std::size_t body = 0;                 // the body that it replaces, or is part of
   const scene::Material* material = nullptr;
 };
 
-// A ball of glass, which gathers light.
+// A ball of glass, which focuses light.
 bool is_lens(const Proxy& proxy);
 
 struct Proxies {

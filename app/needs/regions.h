@@ -1,4 +1,4 @@
-// What is shaded by the pixels that show it, not by its triangles.
+// Deferred shading: which draws take it, and their regions.
 #pragma once
 
 #include "needs/draws.h"
@@ -8,7 +8,7 @@
 
 namespace gg::needs {
 
-// Marks the opaque draws whose triangles are so small on the screen that shading by pixels costs less (Draw::by_pixel).
+// Marks the opaque draws whose triangles are so small on the screen that shading deferred costs less (Draw::by_pixel).
 void mark_fine(std::vector<Draw>& draws, const View& view);
 
 // One region for the draws of each material that have the same neighbours, in their order: shading takes nothing else from a draw.

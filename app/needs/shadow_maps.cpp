@@ -21,8 +21,7 @@ constexpr double widest_cone =
     70.0 * std::numbers::pi
     / 180.0; // radians from the axis: past it texels at the edge are 3 times as
              // wide as in the middle, and faces of a cube do better
-constexpr double on_plane =
-    1e-3; // of its size: what stands on a floor reaches below it by rounding
+constexpr double on_plane = 1e-3; // of its size: bodies on a floor reach below it by rounding
 
 glm::dvec3 corner_of(const scene::Bounds& box, unsigned i) {
   return {i & 1u ? box.high.x : box.low.x, i & 2u ? box.high.y : box.low.y,
@@ -199,7 +198,7 @@ bool hides_any(const Draw& caster, const Draws& draws, const std::vector<const D
   });
 }
 
-// Whether a ball of glass stands for the draw.
+// Whether the draw's proxy is a ball of glass.
 bool is_lens(const Draw& draw, const scene::Scene& scene, const Draws& draws,
              const Proxies& proxies) {
   const auto own = proxies.bodies.find(place_in(scene, draws, draw));

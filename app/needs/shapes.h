@@ -1,4 +1,4 @@
-// The shapes of solids, by mesh and body, and what stands for the things of the scene: each worked out once.
+// The shapes of solids, by mesh and body, and the proxies of the scene: each computed once.
 #pragma once
 
 #include "needs/hollows.h"
@@ -20,7 +20,7 @@ public:
   // The scene's instances have been moved, or its materials changed: what depends on them is worked out again.
   void scene_changed();
   void geometry_changed(); // and its meshes with them
-  // The material that stands for the body of this one (scene/bodies.h).
+  // The body of this material, as the first of its materials (scene/bodies.h).
   scene::Index body(scene::Index material) const {
     return bodies_[static_cast<std::size_t>(material)];
   }

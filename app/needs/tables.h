@@ -27,7 +27,7 @@ struct Table {
   std::size_t bytes = 0; // on the device
 };
 
-// The tables that stand for a material's lobe.
+// The tables of a material's lobe.
 tables::Model model_of(const scene::Material& material, bool correlated_smith);
 
 // Lobes of a method's tables: of one face's reflection, and of one face that light passes. What is composed of two faces

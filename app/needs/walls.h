@@ -1,4 +1,4 @@
-// Walls: what is flat, opaque and large goes on beyond the picture, and reflections meet it there.
+// Planar proxies: flat, opaque and large surfaces, which lobes meet beyond the picture too.
 #pragma once
 
 #include "needs/draws.h"

@@ -54,7 +54,7 @@ constexpr FeatureName names[] = {
      "lights",
      {nullptr, "no shadow maps", "shadow maps", "shadow maps, tinted by glass"}},
     {Feature::dispersion, "dispersion"},
-    {Feature::index_one, "index 1"},
+    {Feature::index_one, "IOR 1"},
     {Feature::attenuation, "absorption"},
     {Feature::seen_from_within, "seen from within"},
     {Feature::smooth, "smooth"},

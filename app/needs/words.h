@@ -1,4 +1,4 @@
-// What is needed, in words: for who reads it, and for programs.
+// Needs as text and as JSON.
 #pragma once
 
 #include "needs/needs.h"

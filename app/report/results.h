@@ -54,7 +54,7 @@ struct DeviceFacts {
 struct Cell {
   std::string method;
   int samples = 1;
-  needs::Lookups lookups; // of the blurred surroundings, of one pixel, at most
+  needs::Lookups lookups; // of pyramid and environment, by one pixel, at most
   DeviceFacts device;
   std::size_t bytes = 0; // device memory of the frame, environment included
   std::size_t triangles = 0;

@@ -1,4 +1,4 @@
-// Shader text taken apart: what stands at its outermost level. For GLSL as snippets are written, and for the HLSL, MSL and WGSL
+// Shader text taken apart: the declarations at its outermost level. For GLSL as snippets are written, and for the HLSL, MSL and WGSL
 // that converters make of it.
 #pragma once
 

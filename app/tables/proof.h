@@ -31,7 +31,7 @@ Sweep study_sweep(Side side);
 Sweep leaving_to_grazing();
 Sweep short_sweep();
 
-// Mean squares by method. "standard" is what peers do: a map prefiltered by GGX's lobe at normal incidence (n = v = r), here
+// Mean squares by method. "standard" is the usual approximation: a map prefiltered by GGX's lobe at normal incidence (n = v = r), here
 // exactly, read along the mirror direction; or along Snell's (the surface, past the critical angle) with the roughness that
 // the Khronos viewer and three.js scale by index. "gaussian": the same directions, the best single Gaussian instead of
 // GGX's. "fis32": 32 filtered importance samples. "lobes1" to as many as there are tables for (lobes_of). All have the

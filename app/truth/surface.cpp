@@ -15,7 +15,7 @@ SurfaceKind kind_of(const Part& part) {
   return part.solid ? SurfaceKind::solid : SurfaceKind::thin;
 }
 
-// A coloured or weakened reflectance is no index of refraction: Schlick's form is all that is left.
+// A coloured or weakened reflectance has no IOR: Schlick's form is used.
 // glTF's ior 0 asks for F = 1 at every angle, which Schlick's form gives with F0 = 1.
 bool has_tinted_reflectance(const Material& m) {
   return m.specular != 1.0f || m.specular_color != glm::vec3(1.0f) || m.ior == 0.0f

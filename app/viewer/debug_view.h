@@ -20,7 +20,7 @@ enum class DebugKind {
   path_length,
   sigma_in_pixels, // of the lobe that passes, where it meets something; this one and those below: sight.h
   screen_share, // of that lobe: what meets something that the picture shows
-  samples       // of the blurred surroundings: a pixel's lookups in all its samples
+  samples       // a pixel's lookups of pyramid and environment in all its samples
 };
 inline constexpr const char* debug_names[] = {
     "picture",         "normals",      "depth",  "interior layers", "path length inside",

@@ -34,7 +34,7 @@ Reflector reflector_of(const truth::Surface& s) {
     return {
         .eta = 0.0, .n = mean(glm::dvec3(m.conductor->n)), .k = mean(glm::dvec3(m.conductor->k))};
   if (s.metallic >= 0.5) {
-    // Of a colour at normal incidence alone: the real index that reflects as much.
+    // Of a colour at normal incidence alone: the real IOR that reflects as much.
     const double root = std::sqrt(std::min(mean(s.base_color), 0.99));
     return {.eta = 0.0, .n = (1.0 + root) / (1.0 - root), .k = 0.0};
   }

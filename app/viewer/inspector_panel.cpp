@@ -109,7 +109,7 @@ void draw_inspector(const Session& session, float scale) {
   if (const auto& exit = found.leaves) {
     if (exit->length > 0.0) ImGui::Text("inside: %.4g m", exit->length);
     if (exit->reflected)
-      ImGui::TextUnformatted("internally reflected where it ends");
+      ImGui::TextUnformatted("internally reflected at the exit");
     else
       ImGui::Text("leaves at %.4g, %.4g, %.4g", static_cast<double>(exit->position.x),
                   static_cast<double>(exit->position.y), static_cast<double>(exit->position.z));

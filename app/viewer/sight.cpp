@@ -95,7 +95,7 @@ std::optional<Lobe> Sight::Tracer::lobe(const truth::Hit& hit, const glm::dvec3&
     const glm::dvec3 n = glm::dot(back->normal, within) > 0.0 ? -back->normal : back->normal;
     const glm::dvec3 out = eta == 1.0 ? within : refracted(within, n, 1.0 / eta);
     if (out != glm::dvec3(0.0))
-      // Small angles grow by the index where they leave.
+      // Small angles grow by the IOR where they leave.
       return Lobe{geometry.leave(*back, out), glm::normalize(out), eta * sigma, sigma * length};
     within = glm::reflect(within, n);
     at = geometry.leave(*back, within);

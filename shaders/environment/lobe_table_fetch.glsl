@@ -2,7 +2,7 @@
 // Frame    world: n, wo unit; samplers linear, clamped to the edge.
 // alpha    slope width in [0, 1] (clamped).
 // Returns  fetchLobeEnergy, fetchReflectionLobe (of one), fetchReflectionLobeOf (of several): see lobe_table.glsl.
-//          fetchStandardLobe: what peers do, the mirror direction at the width of the lobe at normal incidence.
+//          fetchStandardLobe: the usual approximation: the mirror direction at the width of the lobe at normal incidence.
 // Source   lobe_table.glsl.
 // Limits   those of lobe_table.glsl.
 #ifndef GG_ENVIRONMENT_LOBE_TABLE_FETCH_GLSL

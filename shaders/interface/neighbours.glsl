@@ -1,4 +1,4 @@
-// neighbours.glsl: what stands around a draw, as proxies: spheres, and rectangles. One text for GLSL and C++
+// neighbours.glsl: the neighbours of a draw, as proxies: spheres and rectangles. One text for GLSL and C++
 // (app/uniforms/blocks.h).
 
 struct NeighbourData {

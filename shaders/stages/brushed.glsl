@@ -1,11 +1,11 @@
 // brushed.glsl: the reflection lobe of a brushed surface (KHR_materials_anisotropy).
 // Needs    stages/reflectance.glsl; included by stages/environment_light.glsl.
-// Source   environment/stretched_lobe.glsl; for --method standard what peers do: one lookup along the mirror direction of a normal
-//          that is bent about the brushing, at the width across it.
+// Source   environment/stretched_lobe.glsl; for --method standard the usual approximation: one lookup along the mirror direction of
+//          a normal that is bent about the brushing, at the width across it.
 #include "environment/stretched_lobe.glsl"
 #include "stages/neighbour_groups.glsl"
 
-vec3 peersRadiance(Surface s) {
+vec3 standardRadiance(Surface s) {
     vec3 bent = cross(cross(s.brush, s.wo), s.brush);
     float smoothness = 1.0 - sqrt(s.alpha);
     float stretch = sqrt(max((s.along - s.alpha) / max(1.0 - s.alpha, 1e-3), 0.0)); // the strength
@@ -19,12 +19,12 @@ vec3 peersRadiance(Surface s) {
 
 // The mean of what arrives over the lobe.
 vec3 brushedRadiance(Surface s, float edge) {
-    if (method == 0) return peersRadiance(s);
+    if (method == 0) return standardRadiance(s);
     mat3 world = brushFrame(s);
     vec3 wo = s.wo * world;
-    // Where a picture takes several samples, each has places of its own between the parts', and is as much sharper: of N samples
-    // frame.part.w is 1 / (12 N). Half of the parts then does. Their sigmas, of half of the variance, are made even by the normal
-    // distribution's logistic form [BowlingKhasawneh09].
+    // Of several samples of a pixel each takes lobes of its own, between those of the others and narrower: of N samples
+    // frame.part.w is 1 / (12 N). Half as many lobes do then, each of half of the variance, spaced by the normal distribution's
+    // logistic form [BowlingKhasawneh09].
     bool several = frame.part.z < 1.0;
     float shift = several ? 1.0 / (1.0 + exp(-2.4 * frame.part.x)) - 0.5 : 0.0;
     float sharpness = several ? min(sqrt(12.0 * frame.part.w), 1.0) : 1.0;

@@ -1,7 +1,7 @@
-// clearcoat.glsl: a clear coat over what the surface sends (KHR_materials_clearcoat).
+// clearcoat.glsl: a clear coat over a base (KHR_materials_clearcoat).
 // Needs    stages/{environment_light,punctual_lights,importance}.glsl.
 // Returns  coated: radiance of base and coat; coatLeaves, coatRadiance: its parts.
-// Source   bsdf/clearcoat.glsl. The coat reflects as a metal that loses nothing does, times its share.
+// Source   bsdf/clearcoat.glsl. The coat reflects like a lossless metal, times its share.
 #include "bsdf/clearcoat.glsl"
 
 layout(binding = 40) uniform sampler2D clearcoatMap;
@@ -51,7 +51,7 @@ vec3 sampledCoat(Surface coat, int n) {
     return sum / max(weights, 1e-30);
 }
 
-// From all around: the lobe of a surface that reflects everything.
+// Of the environment: the lobe of a surface that reflects everything.
 EnvironmentLight coatLobe(Surface coat) {
     EnvironmentLight light;
     light.edge = 0.0;
@@ -89,7 +89,7 @@ vec3 coatLights(Surface coat) {
     return sum;
 }
 
-// What it leaves of all that is under it.
+// The share that the base keeps.
 float coatLeaves(Surface s) {
     if (!hasCoat) return 1.0;
     return 1.0 - coatShare(coatStrength(), dot(coatSurface(s).n, s.wo));

@@ -1,7 +1,7 @@
-// environment_light.glsl: what a surface makes of light from all around, by one lookup of the Gaussian stack and one of the
-// irradiance. Reflection: energy times the stack in the lobe's direction at its width. Diffuse: glTF's base under it.
+// environment_light.glsl: reflected and diffuse light of the environment: lookups of the Gaussian-prefiltered environment, and one
+// of the irradiance. Reflection: energy times the radiance in the lobe's direction at its width. Diffuse: glTF's base under it.
 // Needs    stages/reflectance.glsl, stages/surroundings.glsl.
-// Source   DESIGN.md, "The idea"; environment/lobe_table.glsl; [KullaConty17] for --multiscatter.
+// Source   app/README.md, "The method"; environment/lobe_table.glsl; [KullaConty17] for --multiscatter.
 #include "environment/lobe_table_fetch.glsl"
 
 layout(binding = 19) uniform sampler2D energyTable;
@@ -19,7 +19,7 @@ float meanAlbedo(float alpha) {
 
 const bool scattersAgain = multipleScattering && !isSmooth; // constants, so that what they leave out binds nothing
 
-// The part of the material that is metal: only metals keep the light that bounces between facets outside.
+// The metallic share of the material: only metals keep all of the light that is scattered between facets outside.
 vec3 multiplyScattered(Surface s, float albedo, vec3 meanFresnel) {
     float metal = shading == 2 || shading == 4 ? 1.0 : shading == 3 ? s.metallic : 0.0;
     return metal * (1.0 - albedo) * multipleFresnelRgb(meanFresnel, meanAlbedo(s.alpha));
@@ -70,8 +70,8 @@ vec3 mergedRadiance(Surface s, ReflectionLobe first, float edge, vec3 weight, ve
 #include "stages/brushed.glsl"
 #include "stages/hollows.glsl"
 
-// The reflection lobe: what arrives along the lobe is seen times the weight. And all else that the surroundings make of the
-// surface: diffuse light under it, and what scattered more than once.
+// The reflection lobe: its radiance counts times the weight. And the rest of the environment's light: the diffuse base, and
+// multiple scattering.
 struct EnvironmentLight {
     ReflectionLobe lobe; // the first of lobeCount
     float edge;  // where the table is read

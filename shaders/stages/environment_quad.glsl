@@ -1,5 +1,5 @@
-// environment_quad.glsl: four texels of a cube's face, two by two, that one invocation makes together: they need nearly the same
-// of the source, so each of its texels is fetched and turned into a direction once for the four.
+// environment_quad.glsl: 2 x 2 texels of a cube's face that one invocation computes: they read nearly the same texels of the
+// source, so each of those is fetched and turned into a direction once for the four.
 // Frame    cubeLocal's of a face, or the world's.
 // alpha    none.
 // Returns  quad: the texels (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1) of a face `size` texels wide, their unit

@@ -1,5 +1,5 @@
-// environment_weigh.glsl: what a quad of texels hands on to the next step of blur: radiance times a texel's weight, and the
-// weight beside it, so that the blur reads one texel per lobe. On the way it may be halved: the quad becomes one texel,
+// environment_weigh.glsl: the input of the next blur step from a quad of texels: radiance times a texel's weight, and the weight,
+// so that the blur reads one texel for each of its own. On the way it may be halved: the quad becomes one texel,
 // and an average over solid angle keeps the mean over the sphere exactly.
 #include "stages/environment_quad.glsl"
 

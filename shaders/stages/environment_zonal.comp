@@ -1,5 +1,5 @@
-// environment_zonal.comp: convolution with any kernel of the angle, over all pairs of texels: the widest Gaussians, where a
-// plane is no likeness of the sphere any more, and the cosine of diffuse light.
+// environment_zonal.comp: convolution with any kernel of the angle, over all pairs of texels: the widest Gaussians, for
+// which the sphere is not flat enough, and the cosine of diffuse light.
 // Weights that keep constants and the mean come from the host (app/environment/face_balance.h).
 #version 450
 #include "interface/environment_step.glsl"

@@ -1,5 +1,5 @@
-// foreground.frag: leaves the depth of a thing and, drawn over what is there, no colour; or, in its place, none at all: cuts it out
-// of what is seen through a layer of glass behind it.
+// foreground.frag: depth only, or transparent black: cuts an opaque body out of the colour that a layer of glass behind it looks
+// up.
 #version 450
 #include "interface/material.glsl"
 #include "stages/material_features.glsl"

@@ -1,7 +1,7 @@
 // glass.glsl: the light that comes through a surface of glass, as lobes that leave it.
 // Frame    world, metres; directions unit. eta = n_far / n_near of the face in question.
 // Needs    stages/weighted_lobes.glsl, stages/glass_faces.glsl, stages/glass_inside.glsl, stages/object.glsl.
-// Source   DESIGN.md §2 (1)-(5).
+// Source   app/README.md, "The method"; refraction/composition.glsl.
 // Energy   what the first face lets in either leaves where the ray first comes to a face, or is internally reflected there and is
 //          followed to the next, or is residual, which takes one lookup.
 
@@ -52,7 +52,7 @@ WeightedLobe reflectedInsideLobe(InnerPath p) {
 
 WeightedLobe residualLobe(Surface s, float ior, InnerPath p) {
     Residual r = residualOf(s, p, 1.0 / ior, widening());
-    // What is left runs about as far again from face to face as it did to come to the last.
+    // The residual energy runs about as far between faces as light did on its last segment.
     vec3 way = absorbed(p.last.run);
     WeightedLobe w;
     w.lobe = lobeRay(r.point, r.direction, r.sigma);
@@ -62,12 +62,12 @@ WeightedLobe residualLobe(Surface s, float ior, InnerPath p) {
 
 // Metres to something opaque inside that ends the light that came in as `core`; negative: nothing does.
 float endsInside(Surface s, InnerLobe core, float run) {
-    Intersection inside = meetBackdrop(s.position, core.direction, core.sigma, true);
+    Intersection inside = intersectScene(s.position, core.direction, core.sigma, true);
     bool ends = inside.seen && !inside.hidden && inside.distance >= 0.0 && inside.distance < run;
     return ends ? inside.distance : -1.0;
 }
 
-// All that is seen then is what the light ends at.
+// Only that opaque surface is seen then.
 GlassLobes lobesEndingInside(GlassLobes lobes, Surface s, InnerLobe core, float entered, float within) {
     if (within < 0.0) return lobes;
     GlassLobes ended = lobes;
@@ -91,7 +91,7 @@ GlassLobes throughTwoFaces(Surface s, float ior) {
     return lobesEndingInside(lobes, s, core, p.first.ray.weight, endsInside(s, core, p.first.run));
 }
 
-// Out of the solid that the camera stands in. Radiance grows by the square of the index ratio (transmission.glsl). What is
+// Out of the solid that the camera stands in. Radiance grows by the square of the IOR ratio (transmission.glsl). What is
 // reflected inside is residual.
 GlassLobes outOfSolid(Surface s, float ior) {
     float eta = 1.0 / ior;
@@ -119,8 +119,8 @@ GlassLobes outOfSolid(Surface s, float ior) {
     return lobes;
 }
 
-// As peers do it (the Khronos viewer, three.js): one interface, moved by a thickness along the refracted ray, blurred by a level
-// that grows with roughness and index.
+// `--method standard`, as the Khronos viewer and three.js do it: one interface, a thickness along the refracted ray, and a pyramid
+// level that grows with roughness and IOR.
 vec3 throughStandard(Surface s, float ior) {
     vec3 scale = vec3(length(instance.worldFromMesh[0].xyz), length(instance.worldFromMesh[1].xyz),
                       length(instance.worldFromMesh[2].xyz));
@@ -134,7 +134,7 @@ vec3 throughStandard(Surface s, float ior) {
     return fresnelTransmittedAt(dot(s.n, s.wo), ior) * absorbed(length(ray)) * light;
 }
 
-// Index 1: nothing bends and nothing is reflected. The pixel itself, absorbed as far as the solid reaches behind it.
+// IOR 1: nothing bends and nothing is reflected. The pixel itself, absorbed as far as the solid reaches behind it.
 vec3 throughNothing() {
     float inside = 0.0;
     if (attenuates && interiorPairs > 0)

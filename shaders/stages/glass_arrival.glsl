@@ -1,6 +1,6 @@
-// glass_arrival.glsl: what the passes over a solid hand on: where its light comes to a face from inside (stages/glass_inside.glsl).
+// glass_arrival.glsl: the data between passes over a solid: where light reaches a face from inside (stages/glass_inside.glsl).
 // Layout   per pixel, floats of 32 bits, as places and normals of a smooth face are seen enlarged behind it:
-//          point      xyz world, metres; w alpha of the face, -1 - alpha where the way goes on by total reflection
+//          point      xyz world, metres; w alpha of the face, -1 - alpha where it is totally reflected
 //          face       xy its outward normal (octEncode); zw ExitSurface.turn
 //          ray        xy direction it came by (octEncode); z sigma, radians; w energy
 //          way        x metres run in all, 0 where there is nothing; y of these in the last segment; z energy that passed on the

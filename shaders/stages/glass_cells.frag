@@ -1,8 +1,8 @@
-// glass_cells.frag: whether what four fragments of glass_footprint.glsl say can be interpolated between them.
+// glass_cells.frag: whether the values of four fragments of glass_footprint.glsl can be interpolated.
 // Writes   xy the mean normal (octEncode), z the number of the solid; 0 where they do not agree.
-// Form     along each side of the cell the second differences of what is interpolated, with the fragments beyond both ends: of what
-//          bends smoothly an eighth of that is the error in between, of what jumps half. Where a side has no fragment beyond an
-//          end the first difference stands for it.
+// Form     second differences along each side of the cell, with the fragments beyond both ends. The error of interpolation is an
+//          eighth of that where values are smooth, half where they jump. Where a side has no fragment beyond an end: the first
+//          difference.
 #version 450
 #include "refraction/exit_surface.glsl"
 #include "stages/glass_cells.glsl"

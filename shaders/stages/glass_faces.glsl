@@ -1,4 +1,4 @@
-// glass_faces.glsl: what the faces of glass make of light, one by one.
+// glass_faces.glsl: reflection and transmission at single faces of glass.
 // Frame    world; directions unit. eta = n_far / n_near of the face in question.
 // Needs    stages/surface.glsl, interface/material.glsl.
 // Source   refraction/composition.glsl; Snell and Fresnel where nothing scatters.
@@ -8,7 +8,7 @@
 layout(binding = 22) uniform sampler3D interfaceEnergyTable;
 layout(binding = 23) uniform sampler3D interfaceLobeTable;
 
-// KHR_materials_dispersion: red and blue to both sides of the index, by a fortieth of (ior - 1) times the dispersion each.
+// KHR_materials_dispersion: red and blue to both sides of the IOR, by a fortieth of (ior - 1) times the dispersion each.
 float dispersedIor(float ior, float dispersion, int channel) {
     return max(ior + (float(channel) - 1.0) * 0.025 * (ior - 1.0) * dispersion, 0.25); // the least that the tables hold
 }
@@ -18,7 +18,7 @@ const int entryLobes = method > 1 && method < 100 && !isSmooth ? 2 : 1;
 
 Widening widening() { return distribution == 0 ? wideningGgx(entryLobes) : wideningBeckmann(entryLobes); }
 
-// n as another ray finds it, `apart` from the one that it is known for.
+// n where another ray meets the face, `apart` from the ray that n is of.
 ExitSurface exitBeside(ExitSurface s, vec3 direction, vec3 apart) {
     ExitSurface other = s;
     vec3 along = direction - dot(direction, s.n) * s.n;
@@ -58,7 +58,7 @@ InnerLobe enteringLobe(int lobe, Surface s, float eta, float energy) {
     return inner;
 }
 
-// One lobe through the face that it meets, by one lobe that stands for all of it.
+// One lobe through a face, as one lobe.
 ComposedLobe leavingLobe(InnerLobe inner, ExitSurface s, Widening k) {
     ComposedLobe lobe;
     if (isSmooth) {

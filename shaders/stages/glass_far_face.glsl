@@ -1,8 +1,8 @@
-// glass_far_face.glsl: what the face that light leaves a solid by says of its colour, where the faces differ: labels, gradients,
-// bodies of two materials.
+// glass_far_face.glsl: colour and clear share of the face where light leaves a solid, for bodies whose faces differ: labels,
+// gradients, bodies of two materials.
 // Needs    stages/glass_inside.glsl, stages/surroundings.glsl.
 // Source   app/README.md, "Bodies of glass".
-// Limits   the texel nearest to the point; a face that no layer holds counts as the near one.
+// Limits   the texel nearest to the point; a face that no layer holds has the near one's values.
 
 struct FarFace {
     vec3 tint;   // of what crosses it: the root of the base colour

@@ -1,10 +1,10 @@
-// glass_footprint.glsl: where the lobes that leave a solid of glass fall on the picture, for glass_resolve.frag, which looks there
-// between the fragments of this pass.
+// glass_footprint.glsl: the footprints on the picture of the lobes that leave a solid of glass, for glass_resolve.frag, which does
+// their lookups at every pixel.
 // Layout   floats of 32 bits: places are looked up within a fraction of a pixel, radiance exceeds half floats.
 //          offsets  xy of core, zw of rest, pixels from the fragment's own
-//          spots    xy variances of both, pixels²; zw the shares of lobeColor that the picture stands for
+//          spots    xy variances of both, pixels²; zw the shares of lobeColor that the picture covers
 //          lobes    rgb weight of both together; w the number of the solid (stages/object.glsl), 0 where there is none
-//          far      rgb radiance that the picture does not stand for; w the largest channel of what it does
+//          far      rgb radiance that does not come from the picture; w the largest channel of what does
 #include "stages/glass_material.glsl"
 #include "stages/glass_look.glsl"
 

@@ -2,9 +2,8 @@
 // Frame    world, metres; directions unit.
 // Needs    stages/glass_faces.glsl, stages/object.glsl, interface/instance.glsl.
 // Source   refraction/exit_search.glsl.
-// Energy   what a face reflects inside is followed to the next where most of the light is, beyond the critical angle; else it is
-//          residual. A spread of rays changes what passes. What facets hide of what they scatter, single scattering loses: the
-//          face's own.
+// Energy   internally reflected light is followed to the next face beyond the critical angle, where it is most of the light; else
+//          it is residual. The share that passes is that of the whole spread of rays. Masked light is lost (single scattering).
 #include "refraction/exit_search_fetch.glsl"
 #include "refraction/internal_scattering.glsl"
 #include "stages/picture_pixel.glsl"
@@ -13,22 +12,22 @@ layout(binding = 26) uniform usampler2DArray interior; // stages/interior.frag
 
 layout(constant_id = 52) const int mostBounces = 2; // total reflections that are followed
 
-// Light that scatters diffusely in a body that is not convex leaves it on all sides alike: after two reflections inside, paths
-// through the material ball have a mean direction of .1. Smooth walls, between which few ways are open, keep it going forwards.
+// In a body that is not convex, diffuse internal scattering leaves on all sides alike: after two internal reflections, paths
+// through the material ball have a mean direction of length .1. Between smooth walls light keeps its direction.
 const bool losesItsWay = interiorPairs > 1 && !isSmooth;
-// There a search beyond the first reflection finds where one ray in two goes (tests/interior), of a lobe that is wide by then.
+// There a search beyond the first reflection is right for one ray in two (tests/interior), and the lobe is wide by then.
 const int followed = losesItsWay && mostBounces > 1 ? 1 : mostBounces;
 // Of what gets out of such a body about half meets it again (paths through the material ball and Suzanne).
 const float MEETS_AGAIN = 0.5;
-// Where it goes forwards it comes from a cone of about a radian.
+// Where light keeps its direction: a cone of about a radian.
 const float RESIDUAL_SIGMA = 0.5; // radians
-// Of what a diffuse face sends, the mean square of the angle is pi²/8 - 1/2, half of that per axis: nothing leaves a face wider.
+// The widest lobe that leaves a face is a cosine lobe: mean square of its angle pi²/8 - 1/2, half of that per axis.
 const float HEMISPHERE_SIGMA = 0.606;
 
 InteriorView interiorCamera() { return interiorView(frame.clipFromWorld, frame.worldFromClip, frame.picture.xy); }
 
-// What has been reflected inside is so wide that the face turns by a radian over its spot: it is not bundled as by one curvature.
-// The turn counts by the mean of the cosine of what the normals differ by.
+// An internally reflected lobe is so wide that the normal turns by a radian over its footprint: one curvature does not focus it.
+// The turn counts by the mean cosine between the normals.
 vec2 seenBySpread(vec2 turn, float sigma) {
     vec2 differ = turn * sigma;
     return turn * exp(-0.5 * differ * differ);
@@ -59,7 +58,7 @@ struct InnerArrival {
     float segment; // of these, since the face before
 };
 
-// What the face makes of it.
+// Its energy and direction after the face.
 struct FaceSplit {
     float passes;     // share of the light
     float kept;       // with what is reflected; single scattering loses the rest
@@ -89,13 +88,12 @@ InnerArrival reachFace(Surface s, InnerArrival before, InnerLobe ray, float invI
     a.face.turn = vec2(0.0);
     vec3 from = s.position;
     float cosTheta = -dot(ray.direction, s.n);
-    // Of a mesh that has no far side, a plate whose thickness is given, it is the other face; a ray along that leaves it after 20
-    // thicknesses.
+    // For an open sheet with a given thickness it is the other face of the plate; a grazing ray leaves after 20 thicknesses.
     a.segment = surfaceThickness() * meshUnit() / max(cosTheta, 0.05);
     a.face.n = -s.n;
     a.face.alpha = s.alpha;
     if (reflected) {
-        // Of a wall thinner than the search resolves it is the face that the light came in by.
+        // A wall thinner than the search resolves: the entry face.
         from = before.point;
         a.segment = cosTheta < 0.0 ? before.segment * dot(before.ray.direction, s.n) / cosTheta : -1.0;
         a.face.n = s.n;
@@ -137,7 +135,7 @@ InnerArrival firstArrival(Surface s, InnerLobe core, float entered, float invIor
     return reachFace(s, from, from.ray, invIor, false);
 }
 
-// Followed where most of the light is: beyond the critical angle, and as long as a way can be told.
+// Followed beyond the critical angle, where most of the light is, and as long as the search finds the next face.
 bool goesOn(InnerArrival a, FaceSplit split) {
     bool most = split.reflected >= 0.5 * a.ray.weight;
     return most && (interiorPairs > 1 || split.sigma <= RESIDUAL_SIGMA);
@@ -159,8 +157,8 @@ struct InnerPath {
     float passedBetween; // energy that passed the faces beyond which the light was followed
 };
 
-// From `before` on; where that is the light at s itself, `hasFirst` is false. The search is written once: machines that run
-// pixels in lockstep pay for all that is.
+// From `before` on; where that is the light at s itself, `hasFirst` is false. The search is written once: devices that
+// run pixels in lockstep pay for every copy.
 InnerPath followFaces(Surface s, InnerArrival before, bool hasFirst, float invIor, Widening k) {
     InnerPath p;
     p.first = before;
@@ -188,7 +186,7 @@ InnerPath followFaces(Surface s, InnerArrival before, bool hasFirst, float invIo
 
 // What is reflected at the last face that was found.
 struct Residual {
-    vec3 point;     // where it is looked for, outside
+    vec3 point;     // origin of its lookup, outside
     vec3 direction;
     float sigma;
     float energy;
@@ -197,8 +195,8 @@ struct Residual {
 
 Residual residualOf(Surface s, InnerPath p, float invIor, Widening k) {
     FaceSplit split = splitAt(p.last, invIor, k);
-    // Beyond the critical angle and in bodies that are not convex it scatters diffusely: of all guesses, what is behind a convex
-    // body is nearest to brute force.
+    // Beyond the critical angle and in bodies that are not convex it scatters diffusely. Looking it up behind a convex body was
+    // nearest to the path tracer of all that was tried.
     Residual r;
     r.energy = split.reflected;
     r.leaves = internalScatteringAt(p.last.face.alpha, 1.0 / invIor, internalScatteringLoss());
@@ -207,18 +205,19 @@ Residual residualOf(Surface s, InnerPath p, float invIor, Widening k) {
     r.direction = -s.wo;
     r.sigma = max(split.sigma, RESIDUAL_SIGMA);
     if (interiorPairs > 1 || (split.reflected >= 0.5 * p.last.ray.weight && split.sigma <= RESIDUAL_SIGMA)) return r;
-    // Else what a convex body reflects inside leaves by its near face: of a plate that is the one that is seen, of a curved body
-    // the one that the sphere with the same chord has there.
+    // Else light that a convex body reflects inside leaves by its near face: the visible face of a plate; on a curved body the face
+    // of the sphere with the same chord.
     bool isFlat = p.last.face.turn == vec2(0.0);
     vec3 n = p.last.face.n;
     vec3 near = isFlat ? s.n : normalize(n + 2.0 * dot(p.last.ray.direction, n) * split.direction);
     vec3 outward = refractAbout(-split.direction, -near, invIor);
-    // Of what is too wide for a hemisphere so much is pushed from the face towards its normal.
-    float wide = split.sigma / invIor; // small angles grow by the index there
+    // A lobe too wide for the hemisphere is turned towards the normal by this much.
+    float wide = split.sigma / invIor; // small angles grow by the IOR there
     float folded = max(1.0 - HEMISPHERE_SIGMA / max(wide, HEMISPHERE_SIGMA), 0.0);
     bool refracted = dot(outward, near) > 0.0;
     if (!refracted && split.sigma <= RESIDUAL_SIGMA) return r;
-    // Again and again, each time with the same shares. A smooth face loses nothing: below a hundredth it is the table's rounding.
+    // A geometric series with the same shares at each face. A smooth face loses nothing: below a hundredth it is the table's
+    // rounding.
     r.leaves.passes = split.passes;
     r.leaves.back = min(split.kept + 0.01, 1.0) - split.passes;
     vec3 along = split.direction - dot(split.direction, near) * near;

@@ -1,4 +1,4 @@
-// glass_lobes.glsl: the two lobes that leave a solid of glass where its light first comes to a face, as its passes hand them on.
+// glass_lobes.glsl: the two lobes that leave a solid of glass where its light first comes to a face, as data between its passes.
 // Layout   per pixel, floats of 32 bits (places are seen from far, directions by what they meet):
 //          coreOrigin xyz world, metres; w offset (LobeRay)
 //          coreShape  xy direction (octEncode); z sigma; w carried, radians
@@ -19,7 +19,7 @@ vec4 packedWeight(WeightedLobe core, WeightedLobe rest) {
     return vec4(both, largest(rest.weight) / max(largest(both), 1e-30));
 }
 
-// Offsets go with what the lobe ran inside: as if it had been a metre.
+// Offsets scale with the way inside: stored as if that were a metre.
 LobeRay unpackedLobe(vec4 origin, vec4 shape) {
     LobeRay lobe = lobeRay(origin.xyz, octDecode(shape.xy), shape.z);
     lobe.inner = origin.w;

@@ -1,4 +1,4 @@
-// glass_look.glsl: the lobes that leave a solid of glass, as the passes that look them up read them.
+// glass_look.glsl: reads the lobes that leave a solid of glass, for the passes that look them up.
 // Needs    stages/glass_material.glsl.
 #include "stages/glass_lobes.glsl"
 

@@ -1,4 +1,4 @@
-// glass_look_region.frag: what the lobes that leave a solid of glass bring, over what is there.
+// glass_look_region.frag: the radiance of the lobes that leave a solid of glass, over what was drawn.
 #version 450
 #include "interface/frame.glsl"
 #include "interface/instance.glsl"

@@ -1,16 +1,16 @@
-// glass_lookups.glsl: what the lobes of glass bring.
+// glass_lookups.glsl: the radiance of the lobes of glass.
 // Needs    stages/weighted_lobes.glsl, stages/glass_faces.glsl, stages/punctual_lights.glsl.
-// Form     every lookup is made in one place: machines that run pixels in lockstep pay for all that is written, taken or not.
+// Form     every lookup is made in one place: devices that run pixels in lockstep pay for all branches.
 
-// How far a lobe is looked for on the picture: what brings less of all that is seen than clear glass reflects of light that meets
-// it squarely, 4 %, is not, at twice that it is in full. The environment stands in. Glass that absorbs shows little but its mirror.
+// Lobes below 4 % of the pixel's light (what clear glass reflects at normal incidence) are looked up in the environment, above 8 %
+// by ray march, in between by both. Glass that absorbs shows little but its reflection.
 float looked(vec3 weight, vec3 all) { return hasNeighbours ? smoothstep(0.04, 0.08, largest(weight / max(all, vec3(1e-6)))) : 0.0; }
 
 // The mirror's: neighbours answer where they are known, as the picture shows their other side.
 float mirrored(vec3 weight, vec3 all) { return neighbourKinds == 0 ? looked(weight, all) : 0.0; }
 
-// Punctual lights as a lobe sees them, by its density at their directions: a Gaussian of its own width. A smooth path shows a
-// point of light to nobody.
+// Punctual lights as a lobe sees them, by its density at their directions: a Gaussian of its own width. A smooth path shows no
+// point light.
 vec3 lightsAlong(LobeRay lobe) {
     vec3 sum = vec3(0.0);
     float variance = lobe.sigma * lobe.sigma;
@@ -27,7 +27,7 @@ vec3 lightsAlong(LobeRay lobe) {
 // none.
 Intersection pairIntersection(WeightedLobe core, float within) {
     LobeRay part = partOf(core.lobe);
-    Intersection intersection = meetBackdrop(part.origin, part.direction, part.sigma, true);
+    Intersection intersection = intersectScene(part.origin, part.direction, part.sigma, true);
     if (holdsOpaque && within >= 0.0) {
         intersection.distance = within;
         intersection.seen = true;
@@ -35,7 +35,7 @@ Intersection pairIntersection(WeightedLobe core, float within) {
     return intersection;
 }
 
-// What both bring, or the first alone. lit: punctual lights too; what the outside reflects has them elsewhere
+// Radiance of both, or of the first alone. lit: punctual lights too; what the outside reflects has them elsewhere
 // (punctual_lights.glsl).
 vec3 pairRadiance(WeightedLobe core, WeightedLobe rest, bool both, float within, bool lit) {
     vec3 sum = vec3(0.0);
@@ -50,7 +50,7 @@ vec3 pairRadiance(WeightedLobe core, WeightedLobe rest, bool both, float within,
     return sum;
 }
 
-// What the mirror's lobes bring, beside light that is transmitted with so much weight.
+// Radiance of the reflection lobes, beside light that is transmitted with this weight.
 vec3 mirrorRadiance(MirrorLobes mirror, vec3 transmitted) {
     vec3 reflected = mirror.core.weight + mirror.rest.weight;
     vec3 all = reflected + transmitted;
@@ -76,8 +76,7 @@ vec3 coatOverGlass(Surface s, vec3 transmitted) {
     return sum;
 }
 
-// What the lobes bring: core and rest, what is internally reflected, residual energy and the mirror's, those that are looked for
-// each by its own intersection.
+// Radiance of all lobes: core and rest, internally reflected, residual and reflection, each with its own intersection.
 vec3 glassRadiance(GlassLobes lobes, MirrorLobes mirror) {
     vec3 sum = vec3(0.0);
     // What comes from behind the viewer no picture shows.
@@ -89,7 +88,7 @@ vec3 glassRadiance(GlassLobes lobes, MirrorLobes mirror) {
     vec3 reflected = mirror.core.weight + mirror.rest.weight;
     vec3 all = reflected + lobes.core.weight + lobes.rest.weight + lobes.reflectedInside.weight + lobes.residual.weight;
     vec3 wanted = vec3(reflectedInside, mirrored(reflected, all), looked(lobes.residual.weight, all));
-    // Lanes of a group run as long as the longest: the way is short where nothing but the core is looked for.
+    // Pixels in lockstep take as long as the slowest: the march is short where only the core is looked up.
     int group = 0;
     while (group < 4) {
         WeightedLobe w = lobes.core;
@@ -105,7 +104,7 @@ vec3 glassRadiance(GlassLobes lobes, MirrorLobes mirror) {
             share = wanted.z;
         }
         LobeRay part = partOf(w.lobe);
-        Intersection intersection = meetBackdrop(part.origin, part.direction, part.sigma, true);
+        Intersection intersection = intersectScene(part.origin, part.direction, part.sigma, true);
         if (group == 0 && lobes.within >= 0.0) {
             intersection.distance = lobes.within;
             intersection.seen = true;

@@ -19,8 +19,8 @@
 
 float throughShare(Surface s) { return s.transmission * (1.0 - s.metallic); }
 
-// A film and a coat on the side that is seen: what they leave to pass, over what the bare interface does. Of the film by the two
-// effective angles of what the interface reflects.
+// Transmittance of a film and a coat on the outer side, over that of the bare interface. The film's at the interface's two
+// effective angles.
 vec3 layersPass(Surface s) {
     vec3 passes = vec3(coatLeaves(s));
     if (hasFilm) {

@@ -1,5 +1,5 @@
-// glass_rate.frag: gives the pixels of glass that have to be shaded one by one the depth 1, those between fragments that agree the
-// depth of their region: the depth test, which comes before shading, finds them. Whole quads, so that derivatives are there.
+// glass_rate.frag: writes depth 1 where glass has to be shaded at every pixel, and the region's depth where fragments can be
+// interpolated: the early depth test then selects the pixels. Whole quads, for derivatives.
 #version 450
 #include "interface/region.glsl"
 #include "refraction/exit_surface.glsl"

@@ -1,5 +1,5 @@
-// glass_reflected_inside.glsl: the fifth pass over a solid of glass: what leaves it after total reflections inside.
-// Writes   radiance, added to what is there; nothing where there were none.
+// glass_reflected_inside.glsl: the fifth pass over a solid of glass: light that leaves it after total internal reflections.
+// Writes   radiance, added to what is there; 0 where there were none.
 #include "stages/glass_material.glsl"
 #include "stages/glass_arrival.glsl"
 #include "stages/glass_lobes.glsl"

@@ -1,4 +1,4 @@
-// glass_reflection.glsl: the sixth pass over a solid of glass: what its outside reflects.
+// glass_reflection.glsl: the sixth pass over a solid of glass: reflection at its outside.
 // Writes   radiance, added to what is there.
 #include "stages/glass_material.glsl"
 

@@ -1,5 +1,5 @@
-// glass_reflections.glsl: the second pass over a solid of glass: on from the first face where light is totally reflected, to the
-// last face that is found.
+// glass_reflections.glsl: the second pass over a solid of glass: total internal reflections, from the first face to the last
+// that is found.
 // Writes   stages/glass_arrival.glsl; nothing where there is no total reflection.
 #include "stages/glass_material.glsl"
 #include "stages/glass_arrival.glsl"

@@ -1,4 +1,4 @@
-// glass_within.glsl: over solids of glass that something opaque reaches into: where that ends the light that entered.
+// glass_within.glsl: for solids that contain opaque bodies: where those end the light that entered.
 // Writes   x metres from where it entered; negative where nothing ends it.
 #include "stages/glass_material.glsl"
 #include "stages/glass_arrival.glsl"

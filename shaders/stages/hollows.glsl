@@ -1,7 +1,7 @@
-// hollows.glsl: light that reaches a place in a hollow of its own body, past its walls and by way of them.
+// hollows.glsl: occlusion by the surface's own body, and the light that its walls send by reflection.
 // Needs    stages/surface.glsl, stages/material_features.glsl.
-// Source   what rays found covered (app/needs/hollows.h) by a series of reflections: of light that the place reflects with r, walls
-//          that are lit as it is send r (1 - a) / (1 - a r) of what would come without them.
+// Source   the covered share a of the cosine lobe (app/needs/hollows.h), and a geometric series of reflections: walls of
+//          reflectance r that are lit as the place is send r (1 - a) / (1 - a r) of what would arrive without them.
 // Limits   a is of the cosine lobe, for reflection lobes too: an open cone about the normal for them and walls that send the mean
 //          of all around were worse (gold material ball, FLIP .37 and .34, this .30). The walls are of the place's own material.
 
@@ -12,10 +12,10 @@ vec3 albedoOf(Surface s, vec3 specular) {
     return min(specular + (1.0 - specular) * base, vec3(1.0));
 }
 
-// Of what would come without walls, what does. specular: the reflection lobe's energy.
+// Factor on the light that would arrive without walls. specular: the reflection lobe's energy.
 vec3 reachesHollow(Surface s, vec3 specular) {
     vec3 r = albedoOf(s, specular);
     float a = s.hollow;
-    vec3 between = (1.0 - a) / max(1.0 - a * r, vec3(1e-3)); // all is reflected, nothing comes in
+    vec3 between = (1.0 - a) / max(1.0 - a * r, vec3(1e-3)); // all is reflected, no light comes in
     return 1.0 - a + a * r * between;
 }

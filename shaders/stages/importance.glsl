@@ -1,5 +1,5 @@
-// importance.glsl: `--method fisN`: N facets are drawn from those that the viewer sees, and each reads the surroundings at the
-// width of its own share: filtered importance sampling, the yardstick for the fitted lobes.
+// importance.glsl: `--method fisN`: filtered importance sampling, the yardstick for the fitted lobes: N visible facets, each with
+// one lookup at the width of its share of the lobe.
 // Frame    world; directions unit.
 // Needs    stages/environment_light.glsl.
 // Source   [ColbertKrivanek07]; sigma = 0.35 / sqrt(N pdf) for Gaussian levels. GGX facets whatever the distribution: Beckmann's
@@ -18,7 +18,7 @@ mat3 frameAbout(vec3 n) {
     return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
 }
 
-// What a facet of the material's own distribution weighs against one of GGX.
+// Ratio of the material's D to GGX's at a facet.
 float facetWeight(vec3 wm, float alpha) {
     if (distribution == 0) return 1.0;
     Tilt m = tilt(wm);

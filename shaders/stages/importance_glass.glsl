@@ -3,7 +3,7 @@
 // Needs    stages/importance.glsl, stages/weighted_lobes.glsl, stages/glass_faces.glsl, stages/glass.glsl.
 // Limits   a sample's width is its share of the lobe's first-order width, as the density of two facets in a row has no closed form.
 
-// What of the light's cosines masking leaves, for a facet drawn among those that are seen.
+// Masking-shadowing over masking, for a facet drawn among those that are visible.
 float facetThrough(vec3 wo, vec3 wi, vec3 wm, float alpha, float eta) {
     return facetWeight(wm, alpha) * fresnelTransmittedAt(dot(wo, wm), eta) * ggxG1(tilt(wi), alpha);
 }
@@ -15,7 +15,7 @@ vec3 sampledGlass(Surface s, float ior, GlassLobes lobes, int n) {
     vec3 wo = transpose(entry) * s.wo;
     float inside = lobes.core.lobe.inside;
     vec3 absorption = absorbed(inside);
-    Intersection intersection = meetBackdrop(lobes.core.lobe.origin, lobes.core.lobe.direction, lobes.core.lobe.sigma, true);
+    Intersection intersection = intersectScene(lobes.core.lobe.origin, lobes.core.lobe.direction, lobes.core.lobe.sigma, true);
     // Both lobes to first order, and of their joint Gaussian each sample's share: 0.35 sqrt(2 pi).
     float first = ior * interfaceWidth(wo.z, s.alpha, ior);
     float second = interfaceWidth(dot(lobes.inner, leaving.n), leaving.alpha, leaving.eta);

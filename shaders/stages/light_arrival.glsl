@@ -1,4 +1,4 @@
-// light_arrival.glsl: light that arrives from points and directions (KHR_lights_punctual).
+// light_arrival.glsl: direction and irradiance of punctual lights at a point (KHR_lights_punctual).
 // Needs    interface/lights.glsl, interface/frame.glsl.
 #include "stages/of_pixel.glsl"
 
@@ -19,7 +19,7 @@ Arrival arrivalFrom(LightData light, vec3 position) {
     vec3 to = light.position.xyz - position;
     float d2 = dot(to, to);
     a.range = sqrt(d2);
-    // At the light itself the law of distance has no value; there is nothing to light there either.
+    // At the light itself the inverse square has no value: 0.
     if (!(d2 > 0.0)) {
         a.wi = vec3(0.0, 0.0, 1.0);
         a.irradiance = vec3(0.0);

@@ -1,5 +1,5 @@
-// material_depth.frag: gives each pixel of the G-buffer (geometry.frag) that nothing hides the depth of its material's region, so
-// that the test for equal depth, which comes before shading, finds its pixels and no others.
+// material_depth.frag: writes the depth of its material's region at each visible pixel of the G-buffer (geometry.frag), so that the
+// early test for equal depth selects the pixels of a material.
 #version 450
 #include "interface/region.glsl"
 #include "stages/packed_tangent.glsl"

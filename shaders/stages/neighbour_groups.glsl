@@ -1,6 +1,6 @@
 // neighbour_groups.glsl: radiance that arrives past neighbours by several lobes beside each other, as those of one brushed surface.
-// Each lobe is asked for its share of each neighbour, and sees the environment past it, by itself; a neighbour is shaded once for
-// the whole group, at the mean of where its lobes meet it.
+// Shares and the environment past neighbours are those of each lobe; a neighbour is shaded once for the whole group, at the mean of
+// the places where its lobes meet it.
 // Frame    world, metres; directions unit.
 // Needs    stages/neighbours.glsl.
 

@@ -2,7 +2,7 @@
 // Frame    world, metres; directions unit.
 // Needs    stages/neighbours.glsl and stages/neighbour_shadows.glsl, which include it.
 
-// The length of the mean direction of a cap about n with weight cos: 2/3 of 1 - cos³ over sin².
+// Length of the cosine-weighted mean direction of a cap about n: 2/3 of 1 - cos³ over sin².
 float capMean(float sin2) {
     float cos2 = max(1.0 - sin2, 0.0);
     return sin2 > 1e-3 ? min((2.0 / 3.0) * (1.0 - cos2 * sqrt(cos2)) / sin2, 1.0) : 1.0;
@@ -12,7 +12,7 @@ float capMean(float sin2) {
 struct CosineShare {
     float share;
     vec3 towards; // to the middle of what is met
-    float sin2;   // of the cap's angle that stands for it
+    float sin2;   // of the angle of the equivalent cap
     vec3 n;       // where it is met
     vec3 at;      // metres, from the receiver
     float spread; // radians: of the directions in which it is seen
@@ -64,8 +64,8 @@ NextCosineShare nextCosineShare(int i, vec3 p, vec3 n) {
     return next;
 }
 
-// The mean of what arrives, with weight cos / pi about n. Of the environment, what comes from about the mean direction of what is
-// left. What glass passes comes from all around the way through its middle.
+// The cosine-weighted mean of the radiance that arrives about n. The environment's is looked up about the mean direction of the
+// open part. Light through glass comes from about the line through its centre.
 vec3 surroundingIrradiance(vec3 p, vec3 n) {
     vec3 sum = vec3(0.0);
     Composed c = nothingTaken();

@@ -2,7 +2,7 @@
 // Frame    world, metres; directions unit.
 // Needs    stages/neighbours.glsl, which includes it.
 
-// What all glass that a lobe meets passes of it, as one lobe that leaves it.
+// The light that all glass neighbours of a lobe pass, as one lobe that leaves them.
 struct PassedOn {
     vec3 weight;    // 0: nothing
     vec3 point;     // these three: sums, times `share`
@@ -21,7 +21,8 @@ PassedOn nothingPassedOn() {
     return on;
 }
 
-// Radians: a proxy's radius is known to a fiftieth, and what it bends changes by twice that and more, unless the body is a ball.
+// Radians: a proxy's radius is exact to a fiftieth, and the angle of refraction changes by twice that or more, unless the body is a
+// ball.
 const float UNSURE = 0.05;
 const float UNSURE_BALL = 0.02;
 
@@ -71,8 +72,8 @@ OnwardLobe onwardLobe(PassedOn on, vec3 n) {
     return lobe;
 }
 
-// The next neighbour that takes a share of a lobe, from the place `i` of the list on: machines that run pixels in lockstep then
-// shade as often as one pixel has neighbours that do, not as often as there are neighbours.
+// The next neighbour that takes a share of a lobe, from the place `i` of the list on: devices that run pixels in lockstep
+// then shade as often as one pixel has such neighbours, not as often as there are neighbours.
 struct NextShare {
     int i; // counts.x: there is none
     bool startsBody;
@@ -94,11 +95,11 @@ NextShare nextShare(int i, bool opaqueOnly, vec3 p, vec3 n, vec3 direction, floa
     return next;
 }
 
-// Radiance that arrives at p, over the horizon of n, by a lobe. The environment comes in as all of the lobe without the parts that
-// neighbours take, at their own widths, so that no lamp behind one is seen. What glass passes is followed once more, to what is
-// opaque.
+// Radiance that arrives at p, over the horizon of n, by a lobe. The environment's is that of the whole lobe less that of the parts
+// that neighbours take, at the parts' own widths, so that no lamp behind a neighbour is seen. Light that glass passes is followed
+// once more, to opaque neighbours.
 // firstWay: 1 if the lobe is of light that glass has passed. far: of the environment, by all of the lobe, or by several that it
-// stands for. least: share below which a neighbour that sends no light of its own is left out.
+// replaces. least: share below which a neighbour that sends no light of its own is left out.
 vec3 radianceFrom(int firstWay, vec3 p, vec3 n, vec3 direction, float sigma, vec3 far, float least) {
     vec3 sum = vec3(0.0);
     vec3 weight = vec3(1.0);

@@ -1,9 +1,9 @@
-// neighbour_shadows.glsl: what passes neighbours of the light of a lamp or a sun.
+// neighbour_shadows.glsl: the transmittance of neighbours for a lamp's or a sun's light.
 // Frame    world, metres; directions unit.
 // Needs    stages/neighbours.glsl, which includes it.
 
-// A ball of glass is a lens: light across wi is drawn together about its axis by a focal length of ior / (2 (ior - 1)) radii from
-// its centre, and apart again. What passes it to a point at `centre` from the ball's, over what would without it.
+// A ball of glass is a lens: parallel light converges about its axis at a focal length of ior / (2 (ior - 1)) radii from its
+// centre, and diverges again. Irradiance at a point at `centre` from the ball's, over that without the ball.
 float ballGathers(vec3 centre, float radius, vec3 wi, float ior, float alpha) {
     float focal = ior * radius / max(2.0 * (ior - 1.0), 1e-2);
     float x = dot(centre, wi);
@@ -18,7 +18,7 @@ float ballGathers(vec3 centre, float radius, vec3 wi, float ior, float alpha) {
     return 0.5 * r2 * (exp(-b2 / x2) / x2 + exp(-b2 / wide2) / wide2);
 }
 
-// Of light that comes from `range` metres away (1e30: from afar), what passes all that stands between; sigma: half of its radius.
+// Transmittance of all neighbours in between, for a light at `range` metres (1e30: directional); sigma: half of its angular radius.
 vec3 passesNeighbours(vec3 p, vec3 wi, float range, float sigma) {
     Composed c = nothingTaken();
     for (int i = 0; i < ofPixel(neighbours.counts.x); ++i) {

@@ -1,5 +1,5 @@
-// neighbours.glsl: light that arrives past what stands around: the radiance of neighbours where they take a share of a lobe, the
-// environment for the rest.
+// neighbours.glsl: light that arrives past neighbours: their radiance for the share of a lobe that they take, the environment for
+// the rest.
 // Frame    world, metres; directions unit.
 // Needs    interface/frame.glsl, stages/environment.glsl, stages/material_features.glsl.
 // Source   neighbours/lobe_share.glsl, neighbours/form_factor.glsl; each neighbour by its own material, lit by the environment
@@ -22,10 +22,10 @@ bool isGlass(NeighbourData o) { return glassAround && ofPixel(o.emission.w) > 0.
 
 bool isSphere(NeighbourData o) { return spheresAround && (!rectanglesAround || ofPixel(o.centre.w) > 0.0); }
 
-// A face of a box has nothing to show to who is behind it.
+// The faces of a box are one-sided.
 bool isTurnedAway(NeighbourData o, vec3 centre) { return ofPixel(o.sideU.w) > 0.0 && dot(cross(o.sideU.xyz, o.sideV.xyz), centre) >= 0.0; }
 
-// Front to back: what each body takes of what those before have left.
+// Front to back: the share that each body takes of what those in front of it leave.
 struct Composed {
     vec3 before; // that passes all bodies before this one
     float taken; // by this body
@@ -59,7 +59,8 @@ Composed withTaken(Composed c, float share, vec3 tint) {
     return c;
 }
 
-// What the receiver's own body takes of the light of its neighbours, and what it gives them: light is between the two once more.
+// The share of its neighbours' light that the receiver's own body occludes, and the light that it sends them: one more reflection
+// between the two.
 const bool knowsOwn = ownProxy != 0;
 const bool ownIsSphere = ownProxy == 1;
 NeighbourData ownBody() { return neighbours.each[ofPixel(MOST_NEIGHBOURS)]; }
@@ -87,12 +88,12 @@ LobeShare ownShareOf(vec3 p, vec3 direction, float sigma) {
     return rectangleShare(c, ownBody().sideU.xyz, ownBody().sideV.xyz, direction, sigma);
 }
 
-// A sun in the environment is a light of its own.
+// A sun in the environment is a light apart.
 vec3 sunAcross(vec3 n) { return frame.sunIrradiance.xyz * (max(dot(n, frame.sunDirection.xyz), 0.0) / BSDF_PI); }
 
 vec3 wideWithoutSun(vec3 n) { return max(wideRadiance(n) - sunAcross(n), vec3(0.0)); }
 
-// The direction of what is left of a cosine lobe, of its mean; n where next to nothing is.
+// Mean direction of the open part of a cosine lobe; n where hardly any is open.
 vec3 meanOpening(vec3 mean, vec3 n) { return normalize(mean + 0.02 * n); }
 
 // lit: how much of its light the receiver keeps when the neighbour has taken its share of it.
@@ -127,8 +128,8 @@ float partSigma(LobeShare met, float sigma) {
     return met.sigma * sigma * inversesqrt(max(met.sigma * met.sigma + sigma * sigma, 1e-12));
 }
 
-// The environment by what is left of a lobe of which `passed` is not taken: all of it without the hidden parts, and of a lobe that is
-// nearly taken no more than four times what is left, as the parts' Gaussians and the lobe's agree to some percent only.
+// The environment by what is left of a lobe of which `passed` is not taken: all of it without the hidden parts, and of a lobe that
+// is nearly taken no more than four times what is left, as the parts' Gaussians and the lobe's agree to some percent only.
 vec3 farLeft(vec3 far, vec3 hidden, float passed) { return clamp(far - hidden, vec3(0.0), min(4.0 * passed, 1.0) * far); }
 
 vec3 lobeOf(vec3 p, vec3 direction, float sigma, float lit) {
@@ -164,7 +165,7 @@ LobeShare neighbourShare(NeighbourData o, vec3 centre, vec3 direction, float sig
     return rectangleShare(centre, o.sideU.xyz, o.sideV.xyz, direction, sigma);
 }
 
-// What glass lets pass of light that meets it at a cosine to its normal.
+// The transmittance of glass at a cosine to its normal.
 vec3 passedBy(NeighbourData o, float cosine) {
     vec3 kept = 1.0 - proxyFresnel(o.f0.xyz, o.f0.w, cosine, o.base.w);
     return kept * kept * o.through.xyz;

@@ -1,8 +1,8 @@
-// of_pixel.glsl: a number of a uniform block that a branch or a loop asks for, as the pixel's own.
+// of_pixel.glsl: makes a uniform value that branches or loops depend on look different for each pixel.
 // Returns  the same number: gl_FragCoord is positive.
 // Limits   fragment stages only.
-// lavapipe (Mesa 22.3) makes a shader anew for the uniforms that its branches test, at every draw: 24 ms for each, seconds
-// where Mesa's cache does not hold them all. What depends on the pixel it leaves alone.
+// lavapipe (Mesa 22.3) recompiles a shader at every draw for the values of uniforms that its branches test: 24 ms each, seconds
+// where Mesa's cache is too small for all of them. It does not do so for values that depend on the pixel.
 #ifndef GG_STAGES_OF_PIXEL_GLSL
 #define GG_STAGES_OF_PIXEL_GLSL
 

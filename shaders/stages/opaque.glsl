@@ -1,4 +1,4 @@
-// opaque.glsl: what an opaque (or masked, or blended) surface sends to the viewer.
+// opaque.glsl: radiance of an opaque (or masked, or blended) surface towards the viewer.
 // Frame    world, metres.
 // Needs    interface/{frame,lights,material}.glsl, stages/material_features.glsl, the inputs of opaque.vert.
 // Returns  opaqueColor: linear radiance, premultiplied by the coverage in w. base: surfaceBaseColor().

@@ -1,6 +1,6 @@
-// opaque_region.frag: opaque surfaces of one material, by the pixels that show them (geometry.frag, material_depth.frag): deferred
-// shading [Deering88]. Triangles of a fine mesh are smaller than the blocks of pixels that machines shade, which would shade most
-// pixels several times.
+// opaque_region.frag: deferred shading [Deering88] of the opaque surfaces of one material (geometry.frag, material_depth.frag).
+// Triangles of a fine mesh are smaller than the blocks of pixels that devices shade: drawn forward, most pixels would be shaded
+// several times.
 // Limits   no maps and no colours of vertices: the G-buffer holds depth, normal and tangent.
 #version 450
 #include "interface/frame.glsl"
@@ -14,7 +14,7 @@ layout(binding = 28) uniform usampler2D geometry;
 
 layout(location = 0) out vec4 outColor;
 
-// What opaque.vert would have sent.
+// The outputs of opaque.vert.
 vec3 inPosition;
 vec3 inNormal;
 vec4 inTangent;

@@ -1,4 +1,4 @@
-// picked_mask.frag: 1 where what is picked is, whatever hides it.
+// picked_mask.frag: 1 where the picked object is, hidden or not.
 #version 450
 
 layout(location = 0) out vec4 outMask;

@@ -1,4 +1,4 @@
-// picked_mask.vert: the shape of what is picked.
+// picked_mask.vert: the mesh of the picked object.
 #version 450
 
 layout(std140, binding = 0) uniform Picked {

@@ -1,9 +1,9 @@
-// punctual_lights.glsl: what a surface makes of light from points and directions.
+// punctual_lights.glsl: a surface's radiance under punctual lights.
 // Needs    stages/reflectance.glsl, stages/neighbours.glsl.
 #include "interface/shadows.glsl"
 #include "stages/shadow_maps.glsl"
 
-// Of a light, what comes to a point by what stands between. n: of the mesh there.
+// The share of a light that reaches a point past occluders. n: of the mesh there.
 vec3 lightPasses(LightData light, Arrival a, vec3 p, vec3 n) {
     bool mapped = false;
     vec3 passed = vec3(1.0);

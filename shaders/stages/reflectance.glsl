@@ -18,7 +18,7 @@ struct SchlickPair {
 };
 
 SchlickPair dielectricSchlick(Surface s) {
-    // glTF: an ior of 0 stands for reflecting everything.
+    // glTF: an ior of 0 means that everything is reflected.
     float ior = ofPixel(material.surface.w);
     float f0 = ior > 0.0 ? fresnelNormalIncidence(ior) : 1.0;
     SchlickPair pair;
@@ -73,7 +73,7 @@ float brushedLobe(Surface s, vec3 wi) {
     return ggxAnisoD(i + o, brushWidths(s)) * v;
 }
 
-// What the dielectric part, which reflects `fresnel`, leaves to its diffuse base.
+// The share of light that reaches the diffuse base under a dielectric that reflects `fresnel`.
 float baseUnder(Surface s, vec3 fresnel) {
     float under = 1.0 - max(fresnel.x, max(fresnel.y, fresnel.z));
     float base = shading == 3 ? 1.0 - s.metallic : 1.0;
@@ -93,12 +93,12 @@ vec3 passedFCos(Surface s, vec3 wi) {
     return f.exists ? baseUnder(s, dielectricFresnel(s, f.woDotM)) * basePassed(s) * (f.wi.z / BSDF_PI) : vec3(0.0);
 }
 
-// f(wi, wo) |wi . n|. Smooth surfaces (alpha = 0) reflect a point of light to nobody: 0.
+// f(wi, wo) |wi . n|. Smooth surfaces (alpha = 0) show no point light: 0.
 vec3 materialFCos(Surface s, vec3 wi) {
     if (passesDiffuse) {
         if (dot(wi, s.n) < 0.0) return passedFCos(s, wi);
     }
-    Facet f = reflectionFacet(wi, s.wo, s.n, 1.5); // its g, which alone depends on the index, is not used below
+    Facet f = reflectionFacet(wi, s.wo, s.n, 1.5); // its g, which alone depends on the IOR, is not used below
     if (!f.exists) return vec3(0.0);
     float lobe = brushedLobes > 0 ? brushedLobe(s, wi) : materialLobe(s, f);
     float c = f.woDotM;

@@ -1,4 +1,4 @@
-// refractive.glsl: a surface of glass: what it reflects, and what is seen through it.
+// refractive.glsl: a surface of glass: reflection and transmission.
 // Frame    world, metres.
 // Needs    interface/{frame,instance,lights,material}.glsl, stages/material_features.glsl, the inputs of opaque.vert.
 // Returns  refractiveColor: radiance, premultiplied by the coverage in w. base: surfaceBaseColor().
@@ -12,10 +12,10 @@
 bool fromOutside() { return !seenFromWithin || gl_FrontFacing; }
 
 vec4 refractiveColor(vec4 base) {
-    // Alpha says whether the solid is there for what comes to it: from within it is.
+    // Alpha applies to light from outside; from within the solid counts as there.
     float coverage = alphaMode == 2 && fromOutside() ? base.w : 1.0;
     Surface s = readSurface(base);
-    // A base colour tints what passes once: its root at each face of a solid.
+    // The base colour tints light that crosses a solid once: its square root at each face.
     bool twice = fromOutside();
     FarFace near;
     near.tint = sqrt(s.baseColor);
@@ -50,7 +50,7 @@ vec4 refractiveColor(vec4 base) {
     } else if (method == 0) {
         radiance += tint * throughStandard(s, ior) + farMirror(mirror);
     } else {
-        // Where the index depends on the wavelength each channel goes its own way.
+        // Dispersion: each channel has its own IOR and lobes.
         int ways = disperses ? 3 : 1;
         for (int k = 0; k < ways; ++k) {
             vec3 mask = vec3(1.0);

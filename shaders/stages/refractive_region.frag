@@ -1,6 +1,6 @@
-// refractive_region.frag: a solid of glass, by the pixels of the region that it is in: its nearest front faces are the first layer
-// of the interior already. Triangles of a fine mesh are a few pixels each, and machines that shade blocks of pixels would shade
-// most of them several times.
+// refractive_region.frag: deferred shading of a solid of glass: its nearest front faces are the first layer of the interior
+// G-buffer. Triangles of a fine mesh are a few pixels each: drawn forward, devices that shade blocks of pixels would shade most of
+// them several times.
 // Limits   no maps and no colours of vertices: the layer holds depth, normal and alpha.
 #version 450
 #include "interface/frame.glsl"
@@ -13,7 +13,7 @@ layout(binding = 31) uniform sampler2D hidingDepth; // of what is opaque and of 
 
 layout(location = 0) out vec4 outColor; // premultiplied
 
-// What opaque.vert would have sent.
+// The outputs of opaque.vert.
 vec3 inPosition;
 vec3 inNormal;
 const vec4 inTangent = vec4(0.0);
@@ -27,7 +27,7 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     uvec4 texel = texelFetch(interior, ivec3(at, 0), 0);
     float depth = uintBitsToFloat(texel.x);
-    // Where the solid is not, or stands behind something, what is there stays. The depth test has left out most of that.
+    // Where the solid is not, or is hidden, the pixel keeps its colour. The depth test has left out most of these.
     bool shown = texel.w == objectId() && depth >= texelFetch(hidingDepth, at, 0).x;
     InteriorSurface s = interiorSurface(interiorCamera(), texel, at);
     inPosition = s.point;

@@ -1,4 +1,4 @@
-// shadow.frag: what casts a shadow, into the depth of a light's view.
+// shadow.frag: depth of shadow casters in a light's view.
 #version 450
 #include "interface/frame.glsl"
 #include "interface/material.glsl"

@@ -1,9 +1,9 @@
-// shadow_maps.glsl: what reaches a place of a light's rays, by the maps of what stands before it.
+// shadow_maps.glsl: the share of a light's rays that reaches a point, by shadow maps.
 // Frame    world, metres; directions unit.
 // Needs    interface/lights.glsl, interface/shadows.glsl, stages/material_features.glsl.
-// Source   percentage-closer filtering [Reeves87], by a quadratic B-spline over 3 x 3 texels: punctual lights have no size, and three
-//          texels are about one pixel and a half. Each texel is compared with the depth of the surface's own plane there, so that a
-//          plane never shadows itself and shadows begin where things touch.
+// Source   percentage-closer filtering [Reeves87], by a quadratic B-spline over 3 x 3 texels: punctual lights have no size, and
+//          three texels are about one pixel and a half. Each texel is compared with the depth of the surface's own plane there, so
+//          that a plane never shadows itself and shadows begin where things touch.
 // Limits   a place in front of some glass and behind other is tinted by both.
 layout(binding = 48) uniform sampler2DArray shadowDepth;
 layout(binding = 49) uniform sampler2DArray shadowGlassDepth;
@@ -12,7 +12,7 @@ layout(binding = 50) uniform sampler2DArray shadowTint;
 const bool shadowsAreTinted = lighting == 3;
 
 // Cosine between the plane and the light, at least: over the filter's reach of 1.5 texels a steeper plane is 15 texels deep, more
-// than what curved surfaces are planes over; what comes in at that angle is a tenth of the light.
+// than curved surfaces are flat over; at that angle a tenth of the light arrives.
 const float STEEPEST = 0.1;
 // Texels along the normal by which a surface is raised: meshes' normals are off their triangles by a few degrees (.05 radians at a
 // slope of 10 times 1.5 texels is .5 / cosine).

@@ -1,7 +1,7 @@
-// shadow_tint.frag: what glass and blended surfaces take of light that passes them, as a light sees them: optical depths per channel,
-// which add up over all faces, in any order. A face takes what it reflects, its half of the tint, and of absorption (front faces
-// less, back faces more) the coefficient times the way to it: over a closed body that is the way inside.
-// Limits   straight through: what bends gathers light elsewhere, and inside bent ways are a little longer or shorter.
+// shadow_tint.frag: optical depth per channel of glass and blended surfaces in a light's view, summed over all faces in any order:
+// of a face its reflectance, its half of the tint, and absorption as the coefficient times the distance to it, negative for front
+// faces: over a closed body that is the length inside.
+// Limits   no refraction: no focusing, and lengths inside are those of straight lines.
 #version 450
 #include "interface/frame.glsl"
 #include "interface/material.glsl"
@@ -19,7 +19,7 @@ layout(location = 0) out vec4 outDepth;
 #include "bsdf/fresnel_dielectric.glsl"
 #include "stages/surface.glsl"
 
-const float BLACK = 1e-6; // of light: nobody sees what is left
+const float BLACK = 1e-6; // transmittance that is taken for 0
 
 void main() {
     vec4 base = surfaceBaseColor();

@@ -1,4 +1,4 @@
-// surface.glsl: what the material and its maps say about the point of a fragment.
+// surface.glsl: the material's parameters at a fragment, from its factors and maps.
 // Frame    world, metres; directions unit and away from the surface.
 // Needs    the inputs of opaque.vert, interface/frame.glsl, interface/material.glsl, stages/material_features.glsl.
 // Source   glTF 2.0 §3.9 and the extensions named at each line.
@@ -133,9 +133,9 @@ vec3 faceViewer(vec3 n, vec3 wo) {
     return c >= 0.0 ? n : normalize(n - c * wo);
 }
 
-// By how much a direction turns over what one sample shows of the pixel: the variance per axis, radians². A lamp smaller than
-// that is not to be met or missed by chance. What turns by more than a quarter of a radian from pixel to pixel is an edge more
-// often than a bend, where two directions are seen and none between them: it counts as a quarter.
+// By how much a direction turns over what one sample shows of the pixel: the variance per axis, radians². Without it
+// small lamps would be met or missed by chance. More than a quarter of a radian from pixel to pixel is mostly an edge, not
+// curvature: it counts as a quarter.
 const float STEEPEST_TURN = 0.25;
 
 float turnOverPixel(vec3 direction) {

@@ -1,10 +1,10 @@
-// surroundings.glsl: what a lobe of light that leaves the glass brings: the picture behind it where it can be seen, the
-// environment at the same width where it cannot.
+// surroundings.glsl: radiance of a lobe that leaves glass: from the scene-colour pyramid where its intersection is on the picture,
+// else from the environment at the same width.
 // Frame    world, metres; pixels from the top left corner.
 // Needs    interface/frame.glsl, stages/neighbours.glsl.
-// Source   DESIGN.md §2 (5). A surface that a lobe meets is looked for in the depth behind the layer: first from depth to
-//          depth (each read is taken for a plane across the view, whose intersection with the lobe has a closed form), which finds
-//          walls and floors in two or three reads; where that does not settle, in steps that are even on the screen.
+// Source   a screen-space ray march in the depth behind the layer. First fixed-point steps: each depth that was read is taken for a
+//          plane across the view, which the lobe mean intersects in closed form; walls and floors take two or three reads. Where
+//          that does not converge, steps that are even on the screen [McGuireMara14], then secants.
 #include "bsdf/constants.glsl"
 #include "stages/of_pixel.glsl"
 #include "stages/picture_pixel.glsl"
@@ -12,7 +12,7 @@
 #include "refraction/screen_pyramid_fetch.glsl"
 
 layout(binding = 24) uniform sampler2D screenPyramid;
-layout(binding = 25) uniform sampler2D backdropDepth; // device depth: 1 near, 0 far and sky
+layout(binding = 25) uniform sampler2D sceneCopyDepth; // device depth: 1 near, 0 far and sky
 
 // A Gaussian lobe that leaves the glass; see ComposedLobe.
 struct LobeRay {
@@ -38,16 +38,16 @@ LobeRay lobeRay(vec3 origin, vec3 direction, float sigma) {
     return lobe;
 }
 
-// Parts are few: what each of them meets or misses has an outline, and outlines of all pixels' parts at the same places are lines
-// in the picture. Each pixel turns its own about the lobe's middle, to one neighbour's angle or the other's at most: N parts stand
-// 2 pi / N apart, frame.part.w is 1 / (12 N). A lattice of the plastic number's powers leaves the least alike beside each other.
+// There are few strata, and each draws an outline of what it meets; the same strata in all pixels would draw these as lines. So
+// each pixel turns its strata about the lobe mean, by up to half of the angle between two of them: N strata are 2 pi / N apart, and
+// frame.part.w is 1 / (12 N). Angles from a lattice of the plastic number's powers differ most between adjacent pixels.
 mat2 pixelTurn() {
     float angle = 48.0 * BSDF_PI * frame.part.w * (fract(dot(vec2(picturePixel()), vec2(0.754877666, 0.569840291))) - 0.5);
     return mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
 }
 
-// The part of a lobe that this sample of the pixel stands for. A wide lobe meets more than one thing: by their parts the samples
-// meet each of them, where one intersection for all would draw its outline sharp.
+// The stratum of a lobe that this sample of the pixel takes. A wide lobe meets more than one thing: each stratum finds its own
+// intersection, where a single one would draw a sharp outline.
 LobeRay partOf(LobeRay lobe) {
     LobeStratum own = lobeStratum(lobe.direction, lobe.sigma, lobe.inner, lobe.carried, vec3(pixelTurn() * frame.part.xy, frame.part.z));
     lobe.origin += lobe.inside * own.aside;
@@ -58,7 +58,7 @@ LobeRay partOf(LobeRay lobe) {
     return lobe;
 }
 
-// Where a lobe's centre meets what is behind.
+// Where a lobe mean meets the depth behind the layer.
 struct Intersection {
     float distance; // metres from the origin; negative: nowhere, it goes to the sky
     bool seen;      // the picture shows it
@@ -66,10 +66,10 @@ struct Intersection {
     bool hidden;    // behind something nearer, from there on
     vec2 from;      // pixels: where the lobe begins
     bool guessed;   // the picture does not show that place: its border is extended
-    float wall;     // it does not, but of the lobe this share meets a wall that is known to be there; 0: there is none
+    float wall;     // the share of the lobe that meets a planar proxy; 0: none
 };
 
-layout(constant_id = 54) const bool hasWalls = true; // the frame knows of some
+layout(constant_id = 54) const bool hasWalls = true; // the frame has planar proxies
 
 const float OUTSIDE_FADE = 1.0; // of the picture's height
 const int INTERSECTION_GUESSES = 4;
@@ -81,7 +81,7 @@ const int INTERSECTION_READS = 26; // steps, and two crossings
 vec2 pixelOf(vec4 clip) { return (vec2(0.5, -0.5) * clip.xy / clip.w + 0.5) * frame.picture.xy; }
 
 float depthBehind(vec2 at) {
-    return texelFetch(backdropDepth, ivec2(clamp(at, vec2(0.0), frame.picture.xy - 1.0)), 0).x;
+    return texelFetch(sceneCopyDepth, ivec2(clamp(at, vec2(0.0), frame.picture.xy - 1.0)), 0).x;
 }
 
 // How far along the ray from `from` (clip coordinates; `along` per metre) the depth is z: negative if never.
@@ -90,7 +90,7 @@ float distanceToDepth(vec4 from, vec4 along, float z) {
     return rate == 0.0 ? -1.0 : (z * from.w - from.z) / rate;
 }
 
-// Metres until the ray has left the box of the scene: there is nothing to meet behind.
+// Metres until the ray leaves the bounds of the scene.
 float distanceOutOfScene(vec3 origin, vec3 direction) {
     vec3 inverse = 1.0 / direction; // infinite along an axis that it does not move on, which min and max take
     vec3 far = max((frame.boundsLow.xyz - origin) * inverse, (frame.boundsHigh.xyz - origin) * inverse);
@@ -109,7 +109,7 @@ Intersection nowhere() {
     return m;
 }
 
-// Even steps on the screen are even in 1 / w: the share of the way at a share v of the picture's.
+// Even steps on the screen are even in 1 / w: the fraction of the ray at a fraction v of its way on the screen.
 float wayAlong(float v, float wFrom, float wTo) {
     float near = (1.0 - v) / wFrom;
     float far = v / wTo;
@@ -120,7 +120,7 @@ float wayAlong(float v, float wFrom, float wTo) {
 // device depth. Of the two differences of four texels along each axis the one that is less far in depth belongs to one surface.
 float foreshorteningAt(vec2 at, vec3 direction) {
     vec2 centre = floor(clamp(at, vec2(1.0), frame.picture.xy - 1.0) + 0.5); // where four meet
-    vec4 four = textureGather(backdropDepth, centre / frame.picture.xy);     // below left, below right, above right, above left
+    vec4 four = textureGather(sceneCopyDepth, centre / frame.picture.xy);     // below left, below right, above right, above left
     float z = four.w;
     float above = four.z - four.w;
     float below = four.y - four.x;
@@ -134,14 +134,14 @@ float foreshorteningAt(vec2 at, vec3 direction) {
     vec3 n = (plane * frame.clipFromWorld).xyz;
     vec4 p = frame.worldFromClip * vec4(clip, z, 1.0);
     vec3 view = ofPixel(frame.eye.w) > 0.0 ? normalize(p.xyz / p.w - frame.eye.xyz) : frame.viewDirection.xyz;
-    // At a grazing lobe the spot on the surface grows without end; past a factor of 16 it is the sky's business.
+    // For a grazing lobe the footprint on the surface has no bound; past a factor of 16 the environment is looked up.
     float seen = abs(dot(n, view));
     float met = abs(dot(n, direction));
     return clamp(seen / max(met, 1e-30), 1.0 / 16.0, 16.0);
 }
 
-// From depth to depth: what was read is taken for a plane across the view, and read again where the lobe meets that. True if that
-// settles.
+// Fixed-point steps: the depth that was read is taken for a plane across the view, and read again where the lobe mean intersects
+// it. True if that converges.
 Intersection guessIntersection(vec4 from, vec4 along) {
     Intersection guess = nowhere();
     vec2 at = pixelOf(from);
@@ -151,7 +151,7 @@ Intersection guessIntersection(vec4 from, vec4 along) {
         float met = sky ? -1.0 : distanceToDepth(from, along, z);
         vec4 there = sky ? along : from + met * along;
         if (!((sky || met >= 0.0) && there.w > 0.0)) break;
-        // Off the picture its border goes on (depthBehind): the picture's share in the lobe fades there, it does not end.
+        // Off the picture its border is extended (depthBehind): the picture's share of the lobe fades out there.
         vec2 next = pixelOf(there);
         vec2 moved = abs(next - at);
         at = next;
@@ -195,8 +195,7 @@ Intersection stepToIntersection(vec4 from, vec4 along, float most) {
     float hidden = -1.0; // where it went behind something
     for (int k = 0; k < INTERSECTION_READS && !met.seen; ++k) {
         bool closing = secant > 0;
-        // In the middle first: a step in depth between the two ends, like the outline of what the ray leaves, would hold a
-        // secant at one of them.
+        // Bisection first: at a step in depth between the two ends a secant would stay at one of them.
         float share = (secant & 1) == 0 ? heightLow / (heightLow - heightHigh) : 0.5;
         float u = closing ? mix(low, high, share) : float(step + 1) / float(steps);
         vec3 ndc = mix(a, b, u);
@@ -209,8 +208,7 @@ Intersection stepToIntersection(vec4 from, vec4 along, float most) {
             high = front ? high : u;
             heightHigh = front ? heightHigh : height;
             float rest = min(heightLow, -heightHigh);
-            // Over a surface the heights close in on 0, at an edge they do not: there the ray went behind something nearer, and
-            // comes out again or not.
+            // At a surface the heights converge to 0. At an edge they do not: the ray went behind something nearer.
             bool given = secant > INTERSECTION_SECANTS;
             met.seen = rest < 0.02 * gap || (given && rest < 0.1 * gap);
             met.distance = most * end * wayAlong(mix(low, high, heightLow / max(heightLow - heightHigh, 1e-30)), from.w, to.w);
@@ -231,8 +229,8 @@ Intersection stepToIntersection(vec4 from, vec4 along, float most) {
     }
     if (!met.seen) {
         bool front = last >= 0.0;
-        // It ends behind something: what is seen beside that is the best guess, and continuous with what is seen before. It is
-        // in front when it leaves the picture: the border goes on. Else it meets nothing: the sky, if the picture shows that.
+        // It ends behind something: the colour beside that is the best guess, and continuous. In front where it leaves the
+        // picture: the border is extended. Else there is no intersection: the sky, where the picture shows it.
         bool behind = !front && hidden >= 0.0;
         float z = b.z - last;
         bool bordered = front && end < 1.0 && z > 0.0;
@@ -253,8 +251,8 @@ float betweenEdges(float x, float sigma) {
     return max(normalIntegral((1.0 - x) * inverse) - normalIntegral((-1.0 - x) * inverse), 0.0);
 }
 
-// Of the walls that the frame knows of, seen or not, the one that most of the lobe meets: x its share, y metres. Places are known
-// to a millionth of their distance: within ten of that the lobe starts on the wall.
+// Of the planar proxies, on the picture or not, the one that takes most of the lobe: x its share, y metres. Positions are exact to
+// a millionth of their distance: within ten of that the lobe starts on the proxy.
 vec2 meetWalls(vec3 origin, vec3 direction, float sigma) {
     vec2 most = vec2(0.0, -1.0);
     for (int i = 0; i < ofPixel(frame.counts.y); ++i) {
@@ -277,26 +275,26 @@ vec2 meetWalls(vec3 origin, vec3 direction, float sigma) {
 }
 
 // sigma: the lobe's, radians. `guess`: depth to depth first; not where the ray starts from a surface that is in the depth.
-Intersection meetBackdrop(vec3 origin, vec3 direction, float sigma, bool guess) {
+Intersection intersectScene(vec3 origin, vec3 direction, float sigma, bool guess) {
     vec4 from = frame.clipFromWorld * vec4(origin, 1.0);
     vec4 along = frame.clipFromWorld * vec4(direction, 0.0);
     Intersection met = nowhere();
     if (!(from.w > 0.0)) return met;
     if (guess) met = guessIntersection(from, along);
-    // A wall may be what bounds the scene: a fiftieth further.
+    // A proxy may lie on the bounds of the scene: a fiftieth further.
     if (!met.seen) met = stepToIntersection(from, along, 1.02 * max(distanceOutOfScene(origin, direction), 0.0));
     if (hasWalls && met.guessed) {
         vec2 wall = meetWalls(origin, direction, sigma);
         if (wall.x > 0.004) { // a step of 8 bits
 
-            // What lies behind the camera has no place on the picture: the way there leaves the picture where this does.
+            // A point behind the camera has no position on the picture: the ray leaves the picture on the way there.
             met.distance = min(wall.y, 0.99 * from.w / max(-along.w, 1e-30));
             met.seen = true;
             met.wall = wall.x;
         }
     }
     vec2 at = pixelOf(from + met.distance * along);
-    met.from = guess ? pixelOf(from) : at; // what reflects stands in the picture itself: it is not read
+    met.from = guess ? pixelOf(from) : at; // a reflecting surface is on the picture itself: it is not read
     if (met.seen && met.distance > 0.0) met.foreshortening = foreshorteningAt(at, direction);
     return met;
 }
@@ -329,19 +327,19 @@ Footprint footprintOf(LobeRay lobe, Intersection intersection) {
     if (ofPixel(frame.eye.w) > 0.0) {
         pixels = (ends ? metres / range : seenSigma(lobe)) * pixelsPerRadian(frame.picture.z, min(clip.w / range, 1.0));
     } else {
-        // An orthographic camera sees one direction of the sky only: the rest is the environment's business.
+        // An orthographic camera sees one direction of the sky only: the environment is looked up for the others.
         pixels = metres * frame.picture.z;
     }
     pixels *= sqrt(intersection.foreshortening);
     vec2 at = pixelOf(clip);
-    // A spot beside what hides the rest of its way would take half of its light from that, which may be a lamp's reflection: it
-    // is read as far back on its way as it reaches, two sigma, is a share of that; from where it begins if that is all.
+    // Beside the occluder that hides the rest of the ray, a blur would take half of its light from the occluder, which may be a
+    // highlight: it is read two sigma back along the ray, at most where the ray begins.
     if (intersection.hidden) {
         vec2 back = intersection.from - at;
         at += back * min(4.0 * pixels * pixels / max(dot(back, back), 1e-6), 1.0); // a thousandth of a pixel is no way
     }
-    // Off the picture the sky is known better from the environment. A surface is not: its border stands for it, ever more
-    // blurred, and fades as the picture's size tells how far a guess may reach: not where a planar proxy continues.
+    // Off the picture the sky comes from the environment. Surfaces are extended from the border, ever more blurred, and fade over
+    // the picture's height; planar proxies do not fade.
     vec2 outside = max(max(-at, at - frame.picture.xy), vec2(0.0)) / (OUTSIDE_FADE * frame.picture.y);
     f.share = ends ? exp(-0.5 * dot(outside, outside)) : pyramidCoverage(at, frame.picture.xy, pixels);
     if (intersection.wall > 0.0) f.share = intersection.wall;
@@ -351,8 +349,8 @@ Footprint footprintOf(LobeRay lobe, Intersection intersection) {
     return f;
 }
 
-// What the picture shows there: radiance, and in w the share of the lobe that it stands for. Where less than half of the blur falls
-// on what can be behind, the environment comes in for the rest.
+// Radiance from the pyramid, and in w the share of the lobe that it covers. Where less than half of the blur falls on what can be
+// behind the layer, the environment fills the rest.
 vec4 pictureRadiance(Footprint f) {
     if (!(f.share > 0.0)) return vec4(0.0);
     vec4 seen = fetchPyramid(screenPyramid, f.at, frame.picture.xy, f.variance, frame.picture.w);
@@ -362,6 +360,6 @@ vec4 pictureRadiance(Footprint f) {
 // Radiance that arrives along the lobe.
 vec3 lobeRayRadiance(LobeRay lobe, Intersection intersection) {
     vec4 near = pictureRadiance(footprintOf(lobe, intersection));
-    if (near.w >= 0.999) return near.xyz; // what is left, a thousandth, is below what 8 bits show
+    if (near.w >= 0.999) return near.xyz; // the rest, a thousandth, is below a step of 8 bits
     return mix(farRadiance(lobe.direction, seenSigma(lobe)), near.xyz, near.w);
 }

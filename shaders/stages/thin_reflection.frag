@@ -1,4 +1,4 @@
-// thin_reflection.frag: what a wall of no thickness reflects, added to what is seen through it (thin_transmission.frag).
+// thin_reflection.frag: reflection of a wall of no thickness, added to its transmission (thin_transmission.frag).
 #version 450
 #include "interface/frame.glsl"
 #include "interface/instance.glsl"

@@ -1,4 +1,4 @@
-// thin_transmission.frag: what is seen through a wall of no thickness. thin_reflection.frag adds what it reflects.
+// thin_transmission.frag: transmission of a wall of no thickness. thin_reflection.frag adds its reflection.
 #version 450
 #include "interface/frame.glsl"
 #include "interface/instance.glsl"

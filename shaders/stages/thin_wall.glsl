@@ -1,4 +1,4 @@
-// thin_wall.glsl: the light that comes through a wall of no thickness, as lobes that leave it, and what it adds to the mirror's.
+// thin_wall.glsl: transmission of a wall of no thickness, as lobes that leave it, and the reflections from within it.
 // Frame    world, metres; directions unit.
 // Needs    stages/weighted_lobes.glsl, stages/glass_faces.glsl.
 // Source   refraction/thin_wall_table.glsl: all orders of reflection between the two faces.
@@ -9,7 +9,7 @@ layout(binding = 30) uniform sampler3D wallLobeTable;
 
 struct ThinWall {
     GlassLobes through;
-    float reflectedLater; // what comes back from within, by the mirror's way
+    float reflectedLater; // what comes back from within, in the mirror direction
 };
 
 ThinWallEnergy wallEnergy(float cosTheta, float alpha, float ior) {
@@ -55,7 +55,7 @@ ThinWall throughThinWall(Surface s, float ior) {
     return wall;
 }
 
-// The mirror's lobes, and with them what comes back from within the wall: the same directions, wider lobes.
+// The reflection lobes, with those from within the wall: the same directions, wider.
 MirrorLobes withReflectedLater(MirrorLobes mirror, vec3 later, float ior) {
     vec3 before = mirror.core.weight + mirror.rest.weight;
     vec3 more = 1.0 + later / max(before, vec3(1e-30));

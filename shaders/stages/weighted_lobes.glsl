@@ -1,4 +1,4 @@
-// weighted_lobes.glsl: the lobes that glass sends, and what they are made of.
+// weighted_lobes.glsl: lobes of glass and their weights.
 // Frame    world, metres; directions unit.
 // Needs    stages/surface.glsl, stages/surroundings.glsl, stages/environment_light.glsl.
 #include "refraction/composition_fetch.glsl"

@@ -1,6 +1,6 @@
 // The reflection lobe of brushed surfaces (GGX of two widths) as lookups of a Gaussian-prefiltered environment, against brute
 // force on environments that no fit has seen: RMS of ln of the ratio, as the other tables' proof (app/tables/proof.h), over four
-// angles of view and four azimuths. A row for each pair of widths: one lookup of an isotropic lobe; what peers do; so many parts
+// angles of view and four azimuths. A row for each pair of widths: one lookup of an isotropic lobe; the usual approximation; so many parts
 // (shaders/environment/stretched_lobe.glsl) of two lookups each; as many parts as the program takes, once and in 16 samples;
 // and how far the albedo is off at worst.
 #include "glsl/f64.h"
@@ -86,7 +86,7 @@ std::vector<Lookup> in_samples(const glm::dvec3& wo, const glm::dvec2& alpha, in
 }
 
 // The bent normal of the Khronos viewer, Filament and three.js.
-std::vector<Lookup> peers(const glm::dvec3& wo, const glm::dvec2& alpha) {
+std::vector<Lookup> standard(const glm::dvec3& wo, const glm::dvec2& alpha) {
   const glm::dvec3 n(0, 0, 1), x(1, 0, 0);
   const double strength = std::sqrt((alpha.x - alpha.y) / (1.0 - alpha.y));
   const double keep = std::pow(1.0 - strength * std::sqrt(alpha.y), 4.0);
@@ -100,9 +100,10 @@ std::vector<Lookup> peers(const glm::dvec3& wo, const glm::dvec2& alpha) {
 
 int main() {
   const tables::Training maps = tables::held_out_maps(64, 2);
-  fmt::print("| alpha along, across | 1 lookup | peers | 2 parts | 4 | 8 | 16 | the program's | in "
-             "16 samples | albedo off by |\n"
-             "|---|---|---|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| alpha along, across | 1 lookup | standard | 2 parts | 4 | 8 | 16 | the program's | in "
+      "16 samples | albedo off by |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n");
   for (const double across : {0.02, 0.05, 0.1, 0.25})
     for (const double along : {0.1, 0.2, 0.4, 0.8}) {
       if (along <= across) continue;
@@ -121,7 +122,7 @@ int main() {
           std::vector<Lookup> one;
           add_lobe(one, wo, glm::dvec3(0, 0, 1), std::sqrt(along * across), 1, 1.0);
           const std::array<std::vector<Lookup>, 8> ways = {one,
-                                                           peers(wo, alpha),
+                                                           standard(wo, alpha),
                                                            parts(wo, alpha, 2, 2),
                                                            parts(wo, alpha, 4, 2),
                                                            parts(wo, alpha, 8, 2),

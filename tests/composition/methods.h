@@ -24,7 +24,7 @@ std::vector<Lookup> composed(const Configuration& c, const Shape& shape,
 // Share of the light that the exit reflects inside, by the rule.
 double reflected_inside(const Configuration& c);
 
-// What peers do: the second interface is not there. The Khronos sample viewer's and three.js' width, alpha scaled by the index, as
+// The usual approximation: the second interface is not there. The Khronos sample viewer's and three.js' width, alpha scaled by the IOR, as
 // the reflection lobe at normal incidence; energy 1 - F of the entry; the direction inside. With `leaves`, that of Snell's law
 // at both faces.
 std::vector<Lookup> standard_practice(const Configuration& c, bool leaves);

@@ -1,4 +1,4 @@
-// The composed lobe beside what peers draw and beside brute force: a fixed share of the long table (composition_sweep).
+// The composed lobe beside the usual approximation and beside brute force: a fixed share of the long table (composition_sweep).
 #include "composition/configurations.h"
 #include "composition/methods.h"
 

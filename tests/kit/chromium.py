@@ -4,7 +4,7 @@
     tests/kit/chromium.py BUILD [--scene NAME...] [--keep DIR]
 
 Needs Debian's chromium and npm, which fetches three.js at the kit's own version. relMSE over pixels that glass covers wholly, in
-linear radiance; frame times are the least of interleaved frames, on Chromium's software WebGL. "trimmed": without its worst hundredth;
+linear radiance; frame times are the least of interleaved frames, on Chromium's software WebGL. "trimmed": 1 %-trimmed;
 "to capture": relMSE against the same frame by `groundglass capture`. Fails if a kit's error is not below stock's by a factor of 4
 on each scene. The references beside this file are `groundglass truth SCENE --size 160x160 --half`: wineglass.exr with --spp 2560 --seed 3,
 transmission-roughness.exr with --spp 256 and the camera below, ball-grid.exr with --spp 1870 --seed 7. (That of assets/references, 1024 samples,

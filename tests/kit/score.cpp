@@ -44,7 +44,7 @@ struct Sum {
     reference += r;
     ++count;
   }
-  // Without the worst hundredth: a lamp's glint in one pixel is as much as all the rest.
+  // 1 %-trimmed: a lamp's glint in one pixel is as much as all the rest.
   double trimmed() const {
     std::vector<double> sorted = errors;
     std::ranges::sort(sorted);

@@ -119,7 +119,7 @@ TEST(needs, an_unlit_scene_reads_no_table) {
 TEST(needs, a_wall_without_inside_has_no_interior) {
   const scene::Scene scene = square(thin(glass(0.3f)));
   const Needs needs = needs::needs_of(scene, view());
-  EXPECT_EQ(labels(needs), (Labels{"opaque", "backdrop", "pyramid", "refractive"}));
+  EXPECT_EQ(labels(needs), (Labels{"opaque", "scene copy", "pyramid", "refractive"}));
   EXPECT_FALSE(target(needs, "interior"));
 }
 
@@ -127,14 +127,14 @@ TEST(needs, a_convex_solid_takes_one_pair_of_faces_and_others_two) {
   const scene::Scene scene = box(glass(0.3f));
   const Needs convex = needs::needs_of(scene, view());
   EXPECT_EQ(labels(convex),
-            (Labels{"opaque", "backdrop", "pyramid", "interior F1", "interior B1", "glass"}));
+            (Labels{"opaque", "scene copy", "pyramid", "interior F1", "interior B1", "glass"}));
   EXPECT_EQ(target(convex, "interior")->layers, 2);
 
   scene::Scene head = scene::load(home_directory() / "assets/scenes/Suzanne/Suzanne.gltf");
   head.materials[0] = glass(0.3f);
   const Needs concave = needs::needs_of(head, view());
-  EXPECT_EQ(labels(concave), (Labels{"opaque", "backdrop", "pyramid", "interior F1", "interior B1",
-                                     "interior F2", "interior B2", "glass"}));
+  EXPECT_EQ(labels(concave), (Labels{"opaque", "scene copy", "pyramid", "interior F1",
+                                     "interior B1", "interior F2", "interior B2", "glass"}));
   EXPECT_EQ(target(concave, "interior")->layers, 4);
 }
 
@@ -158,7 +158,7 @@ TEST(needs, index_one_takes_no_tables_and_an_inside_only_where_it_absorbs) {
   clear.base_color = glm::vec4(0.5f, 1.0f, 1.0f, 1.0f);
   const scene::Scene tinted_ball = ball(clear);
   const Needs tinted = needs::needs_of(tinted_ball, view());
-  EXPECT_EQ(labels(tinted), (Labels{"opaque", "backdrop", "refractive"}));
+  EXPECT_EQ(labels(tinted), (Labels{"opaque", "scene copy", "refractive"}));
   EXPECT_TRUE(tinted.tables.empty());
   EXPECT_EQ(target(tinted, "screen pyramid")->levels, 1);
 
@@ -167,14 +167,14 @@ TEST(needs, index_one_takes_no_tables_and_an_inside_only_where_it_absorbs) {
   const scene::Scene dark_ball = ball(clear);
   const Needs dark = needs::needs_of(dark_ball, view());
   EXPECT_EQ(labels(dark),
-            (Labels{"opaque", "backdrop", "interior F1", "interior B1", "refractive"}));
+            (Labels{"opaque", "scene copy", "interior F1", "interior B1", "refractive"}));
   EXPECT_TRUE(dark.tables.empty());
 }
 
-TEST(needs, the_method_of_peers_takes_no_inside_and_no_tables_of_transmission) {
+TEST(needs, the_standard_method_takes_no_inside_and_no_tables_of_transmission) {
   const scene::Scene scene = box(glass(0.3f));
   const Needs needs = needs::needs_of(scene, view(Method::standard));
-  EXPECT_EQ(labels(needs), (Labels{"opaque", "backdrop", "pyramid", "refractive"}));
+  EXPECT_EQ(labels(needs), (Labels{"opaque", "scene copy", "pyramid", "refractive"}));
   EXPECT_FALSE(has_table(needs, "interface"));
   EXPECT_EQ(needs.lookups.refracted, 1);
 }
@@ -235,7 +235,7 @@ TEST(needs, depth_is_taken_anew_behind_what_makes_images) {
     const frame::Graph graph = frame::graph_of(needs);
     return std::ranges::count_if(graph.passes, [&](const frame::Pass& pass) {
       return std::ranges::any_of(pass.colors, [&](const frame::ColorOutput& color) {
-        return name_of(graph, color.part) == "backdrop depth";
+        return name_of(graph, color.part) == "scene copy depth";
       });
     });
   };
@@ -296,7 +296,7 @@ TEST(needs, of_a_planar_wall_with_two_sides_one_is_seen) {
     EXPECT_EQ(layer.refractive.at(0).faces, needs::Faces::as_material);
 }
 
-// The first layer of the inside is what is seen, unless a map or peers' way of shading asks for the mesh itself.
+// The first layer of the inside is what is seen, unless a map or `standard` asks for the mesh itself.
 // glTF's metallic factor is 1 unless a file says otherwise, and a map scales it: Khronos' TransmissionRoughnessTest is such glass.
 TEST(needs, glass_whose_map_takes_the_metal_away_is_refractive) {
   scene::Material m = glass(0.3f);
@@ -320,9 +320,9 @@ TEST(needs, a_solid_is_drawn_by_its_pixels_where_the_mesh_has_no_more_to_say) {
   EXPECT_EQ(plain.layers[0].regions.size(), 1u);
   EXPECT_TRUE(plain.layers[0].refractive.empty());
 
-  const Needs peers = needs::needs_of(scene, view(Method::standard));
-  EXPECT_TRUE(peers.layers[0].regions.empty());
-  EXPECT_EQ(peers.layers[0].refractive.size(), 1u);
+  const Needs standard = needs::needs_of(scene, view(Method::standard));
+  EXPECT_TRUE(standard.layers[0].regions.empty());
+  EXPECT_EQ(standard.layers[0].refractive.size(), 1u);
 
   scene.materials[0].alpha_mode = scene::AlphaMode::mask;
   const Needs masked = needs::needs_of(scene, view());

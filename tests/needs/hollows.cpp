@@ -60,7 +60,7 @@ TEST(hollows, are_the_same_again) {
   EXPECT_EQ(hollows(scene).streams.at(0).values, hollows(scene).streams.at(0).values);
 }
 
-TEST(hollows, are_not_asked_for_by_peers_method_nor_without_an_environment) {
+TEST(hollows, are_not_asked_for_by_the_standard_method_nor_without_an_environment) {
   const scene::Scene scene = facing_squares(0.7f);
   const auto has = [&](needs::Method method, std::optional<std::size_t> environment) {
     const needs::Needs needs = needs::needs_of(scene, {.camera = camera_at({0, 0, 6}),

@@ -1,4 +1,4 @@
-// What stands around a draw, as spheres and rectangles.
+// Neighbours of draws, as spheres and rectangles.
 #include "needs/neighbours.h"
 
 #include "needs/needs.h"
@@ -122,7 +122,7 @@ TEST(neighbours, are_other_bodies_in_or_out_of_the_picture) {
       << "what glass reflects";
 }
 
-TEST(neighbours, are_none_for_what_peers_do_and_for_what_is_unlit) {
+TEST(neighbours, are_none_for_the_standard_method_and_for_what_is_unlit) {
   scene::Scene scene = ball(metal(0.3f));
   add(scene, ball(unlit(glm::vec3(1.0f))), at({2.5f, 0, 0}));
   EXPECT_EQ(kinds(needs::needs_of(scene, view(Method::standard)), 0), 0);

@@ -1,4 +1,4 @@
-// How near one and two Gaussians come to lobes on environments that no fit has seen, beside what peers do.
+// How near one and two Gaussians come to lobes on environments that no fit has seen, beside the usual approximation.
 #include "tables/lookup.h"
 #include "tables/proof.h"
 

@@ -30,7 +30,7 @@ TEST(proof, lobes_are_several_times_nearer_than_standard_practice) {
     if (row.model.distribution != Distribution::ggx || row.model.smith != Smith::separable)
       continue;
     const Scores& s = row.scores;
-    // 2, 4 and 6 times nearer were wanted: entering and leaving are. Reflection is not, as peers' single read is GGX's own lobe
+    // 2, 4 and 6 times nearer were wanted: entering and leaving are. Reflection is not, as its single lookup is GGX's own lobe
     // at normal incidence, tail and horizon included, and no few Gaussians are. Beyond the critical angle what
     // leaves at grazing angles is a band along the horizon, across the plane that gaussians lie in.
     const std::array<double, 3> least = row.side == Side::reflection ? std::array{1.3, 2.6, 3.9}

@@ -54,11 +54,11 @@ TEST(truth_slab, index_one_absorbs_by_the_exponential_of_its_depth) {
 TEST(truth_wall, smooth_wall_reflects_and_transmits_all_orders_and_tints_once) {
   scene::Material wall = thin_glass(0.0f);
   wall.base_color = {0.5f, 0.9f, 1.0f, 1.0f};
-  scene::Material backdrop{
-      .name = "backdrop", .base_color = {0.25f, 0.25f, 0.25f, 1.0f}, .unlit = true};
+  scene::Material background{
+      .name = "background", .base_color = {0.25f, 0.25f, 0.25f, 1.0f}, .unlit = true};
   scene::Scene scene;
   add_sheet(scene, wall, 100.0f, 0.0f);
-  add_sheet(scene, backdrop, 100.0f, -1.0f);
+  add_sheet(scene, background, 100.0f, -1.0f);
   const EnvironmentLight white = constant_environment(glm::vec3(1.0f));
   const Integrator integrator = integrator_of(scene, &white);
   for (const double theta : {0.0, 50.0, 82.0}) {
@@ -73,13 +73,13 @@ TEST(truth_wall, smooth_wall_reflects_and_transmits_all_orders_and_tints_once) {
 TEST(truth_wall, rough_wall_equals_a_solid_slab_of_no_thickness) {
   // The same two interfaces, once walked at one place and once as real surfaces a micrometre apart.
   const EnvironmentLight white = constant_environment(glm::vec3(1.0f));
-  scene::Material backdrop{
-      .name = "backdrop", .base_color = {0.1f, 0.1f, 0.1f, 1.0f}, .unlit = true};
+  scene::Material background{
+      .name = "background", .base_color = {0.1f, 0.1f, 0.1f, 1.0f}, .unlit = true};
   scene::Scene thin, solid;
   add_sheet(thin, thin_glass(0.4f), 1000.0f, 0.0f);
   add_box(solid, glass(0.4f), glm::vec3(0.0f, 0.0f, -0.005f), {1000.0f, 1000.0f, 0.005f});
-  add_sheet(thin, backdrop, 1000.0f, -0.5f);
-  add_sheet(solid, backdrop, 1000.0f, -0.5f);
+  add_sheet(thin, background, 1000.0f, -0.5f);
+  add_sheet(solid, background, 1000.0f, -0.5f);
   const Integrator walls = integrator_of(thin, &white), slabs = integrator_of(solid, &white);
   for (const double theta : {0.0, 70.0}) {
     const Estimate wall = trace(walls, towards_origin(degrees(theta)), 40000, 1);

@@ -1,4 +1,4 @@
-// What several passes draw alike.
+// Pipelines that several passes share.
 #pragma once
 
 #include "frame/context.h"

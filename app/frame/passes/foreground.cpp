@@ -1,11 +1,11 @@
-// Cuts out of the picture behind a layer what stands before it: a blur must not take it in.
+// Cuts bodies in front of a layer out of its scene copy: a blur must not include them.
 #include "frame/passes/passes.h"
 
 namespace gg::frame {
 
 void declare_foreground(Graph& graph, const needs::Needs& needs, std::size_t layer,
-                        const Backdrop& backdrop) {
-  if (!backdrop.blurs || needs.layers[layer].foreground.empty()) return;
+                        const SceneCopy& scene_copy) {
+  if (!scene_copy.blurs || needs.layers[layer].foreground.empty()) return;
   const auto prepare = [layer](Context& context) -> Record {
     const DrawPass pass{.label = "foreground",
                         .fragment = "foreground.frag",
@@ -19,7 +19,7 @@ void declare_foreground(Graph& graph, const needs::Needs& needs, std::size_t lay
   graph.passes.push_back({.label = "foreground",
                           .draws = needs.layers[layer].foreground.size(),
                           .shades = true,
-                          .colors = {{.part = {backdrop.pyramid.target, 0}}},
+                          .colors = {{.part = {scene_copy.pyramid.target, 0}}},
                           .depth = DepthOutput{scene_depth(graph)},
                           .prepare = prepare});
 }

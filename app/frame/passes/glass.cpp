@@ -1,8 +1,8 @@
-// Solids of glass, by the pixels of their regions. One pass finds where light comes to a face from inside, the next follow it from
-// there and look it up (shaders/stages/glass_arrival.glsl, glass_lobes.glsl): one shader for all of it would hold so many registers
-// that few threads run at once, and each would pay for what any other does.
-// All of them run first for one pixel in 4 x 4. What their neighbours agree on is interpolated between them and looked up at every
-// pixel (glass_resolve.frag); the pixels between others are shaded one by one.
+// Deferred shading of solids of glass. One pass finds where light comes to a face from inside, the next follow it from there and look
+// it up (shaders/stages/glass_arrival.glsl, glass_lobes.glsl): one shader for all would need so many registers that few threads run at
+// once, and pixels in lockstep would pay for each other's branches.
+// All passes run first for one pixel in 4 x 4. Where adjacent fragments agree their values are interpolated and looked up at every
+// pixel (glass_resolve.frag); the other pixels are shaded one by one.
 #include "frame/passes/alike.h"
 #include "frame/passes/passes.h"
 #include "frame/regions.h"
@@ -56,7 +56,7 @@ void declare_front_faces(Graph& graph, const needs::Needs& needs, std::size_t l)
   graph.passes.push_back(std::move(pass));
 }
 
-// A pass over the regions that asks for no material.
+// A pass over the regions that reads no material.
 void declare_regions(Graph& graph, std::size_t l, int step, gpu::PipelineDesc desc, Pass pass) {
   pass.label = desc.label;
   desc.vertex = "region.vert";
@@ -89,8 +89,8 @@ struct Rate {
 class Stages {
 public:
   Stages(Graph& graph, std::size_t layer, std::size_t draws, const Rate& rate,
-         const Backdrop& backdrop, const Input& interior, bool holds_opaque)
-      : graph_(graph), layer_(layer), draws_(draws), rate_(rate), looks_(backdrop.inputs()) {
+         const SceneCopy& scene_copy, const Input& interior, bool holds_opaque)
+      : graph_(graph), layer_(layer), draws_(draws), rate_(rate), looks_(scene_copy.inputs()) {
     looks_.push_back(interior);
     if (holds_opaque) within_ = target("endWithin");
   }
@@ -113,7 +113,7 @@ public:
         {core_origin_, core_shape_, rest_origin_, rest_shape_, weight_}, gpu::Blend::none,
         rate_.depth);
   }
-  // What these bring, over what is in `color`.
+  // Their radiance, over what is in `color`.
   void declare_look(Part color) {
     add("glass look", "glass_look_region.frag", lobes(), {{"", color}}, gpu::Blend::over,
         rate_.depth);
@@ -122,7 +122,7 @@ public:
     add("glass footprint", "glass_footprint_region.frag", lobes(), targets, gpu::Blend::none,
         rate_.depth);
   }
-  // And all else, added to it.
+  // All other light, added to it.
   void declare_rest(Part color) {
     const auto add_light = [&](const char* label, const char* fragment, std::vector<Input> reads,
                                const DepthOutput& depth) {
@@ -213,8 +213,8 @@ bool is_split(const needs::Region& region) {
   return is_split(*region.draws.front());
 }
 
-void declare_glass(Graph& graph, const needs::Needs& needs, std::size_t l, const Backdrop& backdrop,
-                   const Input& interior) {
+void declare_glass(Graph& graph, const needs::Needs& needs, std::size_t l,
+                   const SceneCopy& scene_copy, const Input& interior) {
   const std::vector<Solid> solids = solids_of(needs, l);
   const std::size_t draws = solids.size();
   const bool holds = std::ranges::any_of(solids, [](const Solid& solid) {
@@ -227,7 +227,7 @@ void declare_glass(Graph& graph, const needs::Needs& needs, std::size_t l, const
                     .format = depth_format,
                     .width = (graph.width + glass_step - 1) / glass_step,
                     .height = (graph.height + glass_step - 1) / glass_step});
-  Stages low(graph, l, draws, {glass_step, "low", {everywhere, 1.0f}}, backdrop, interior, holds);
+  Stages low(graph, l, draws, {glass_step, "low", {everywhere, 1.0f}}, scene_copy, interior, holds);
   const std::vector<Input> footprints{low.target("glassOffsets"), low.target("glassSpots"),
                                       low.target("glassLobes"), low.target("glassFar")};
   low.declare_lobes();
@@ -254,7 +254,7 @@ void declare_glass(Graph& graph, const needs::Needs& needs, std::size_t l, const
                   {.reads = agree,
                    .colors = {{.part = cells.part, .clear = {{0, 0, 0, 0}}}},
                    .depth = DepthOutput{everywhere_cells, 1.0f}});
-  const Input hiding{"hidingDepth", *backdrop.hiding_depth};
+  const Input hiding{"hidingDepth", *scene_copy.hiding_depth};
   declare_regions(graph, l, 1,
                   {.label = "glass rate",
                    .fragment = "glass_rate.frag",
@@ -262,7 +262,7 @@ void declare_glass(Graph& graph, const needs::Needs& needs, std::size_t l, const
                    .depth_compare = gpu::Compare::greater_equal},
                   {.reads = {interior, hiding, cells}, .depth = DepthOutput{marks, 0.0f}});
 
-  Stages full(graph, l, draws, {1, "full", {marks}}, backdrop, interior, holds);
+  Stages full(graph, l, draws, {1, "full", {marks}}, scene_copy, interior, holds);
   full.declare_lobes();
   full.declare_look({scene_color(graph)});
   full.declare_rest({scene_color(graph)});
@@ -272,7 +272,7 @@ void declare_glass(Graph& graph, const needs::Needs& needs, std::size_t l, const
     footprint.filter = gpu::Filter::linear;
   resolves.insert(
       resolves.end(),
-      {interior, hiding, cells, {"screenPyramid", backdrop.pyramid, gpu::Filter::linear}});
+      {interior, hiding, cells, {"screenPyramid", scene_copy.pyramid, gpu::Filter::linear}});
   declare_regions(
       graph, l, 1,
       {.label = "glass resolve",

@@ -1,4 +1,4 @@
-// What hides what is behind it, the sky, and blended surfaces that lie over these alone.
+// Opaque surfaces, the sky, and blended surfaces that lie over these alone.
 #include "frame/passes/alike.h"
 #include "frame/passes/passes.h"
 
@@ -8,8 +8,7 @@
 namespace gg::frame {
 namespace {
 
-// Masks, whose cut-outs no depth test knows before they are shaded: their depth first, so that each pixel is shaded once however
-// many leaves lie over each other.
+// Alpha masks: a depth pass first, so that each pixel is shaded once however many leaves overlap.
 void record_mask(Context& context, const DrawPass& opaque, const needs::Draw& draw, Records& depths,
                  Records& shaded) {
   depths.push_back(

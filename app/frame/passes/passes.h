@@ -7,10 +7,10 @@
 namespace gg::frame {
 
 // What glass looks up behind it: the scene-colour pyramid, and depths.
-struct Backdrop {
+struct SceneCopy {
   Part pyramid;
-  bool blurs = false;               // with levels, and the depth of what rays meet
-  std::optional<Part> depth;        // of what rays meet
+  bool blurs = false;               // with pyramid levels, and depth
+  std::optional<Part> depth;        // that rays intersect
   std::optional<Part> hiding_depth; // of what hides regions of this layer
   std::vector<Input> inputs() const;
 };
@@ -23,10 +23,10 @@ void declare_opaque(Graph& graph, const needs::Needs& needs);
 void declare_material_depth(Graph& graph, const needs::Needs& needs);
 void declare_deferred(Graph& graph, const needs::Needs& needs);
 void declare_blended(Graph& graph, const needs::Needs& needs);
-Backdrop declare_backdrop(Graph& graph, const needs::Needs& needs, std::size_t layer);
+SceneCopy declare_scene_copy(Graph& graph, const needs::Needs& needs, std::size_t layer);
 void declare_foreground(Graph& graph, const needs::Needs& needs, std::size_t layer,
-                        const Backdrop& backdrop);
-void declare_pyramid(Graph& graph, const Backdrop& backdrop);
+                        const SceneCopy& scene_copy);
+void declare_pyramid(Graph& graph, const SceneCopy& scene_copy);
 // All faces that the layer's solids want; nothing if there are none.
 std::optional<Input> declare_interior(Graph& graph, const needs::Needs& needs, std::size_t layer);
 // One of `pairs` pairs: part 0 is the nearest front face, 1 the nearest back face, 2 and 3 the next of each. The solids must not
@@ -36,9 +36,9 @@ std::size_t declare_faces(Graph& graph, const std::vector<const needs::Draw*>& s
 // Solids of the layer that are shaded by region, besides those that declare_refractive draws.
 bool is_split(const needs::Region& region);
 void declare_glass(Graph& graph, const needs::Needs& needs, std::size_t layer,
-                   const Backdrop& backdrop, const Input& interior);
+                   const SceneCopy& scene_copy, const Input& interior);
 void declare_refractive(Graph& graph, const needs::Needs& needs, std::size_t layer,
-                        const std::optional<Backdrop>& backdrop,
+                        const std::optional<SceneCopy>& scene_copy,
                         const std::optional<Input>& interior);
 void declare_accumulate(Graph& graph, const needs::Needs& needs);
 

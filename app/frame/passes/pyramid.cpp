@@ -4,9 +4,9 @@
 
 namespace gg::frame {
 
-void declare_pyramid(Graph& graph, const Backdrop& backdrop) {
-  if (!backdrop.blurs) return;
-  const std::size_t pyramid = backdrop.pyramid.target;
+void declare_pyramid(Graph& graph, const SceneCopy& scene_copy) {
+  if (!scene_copy.blurs) return;
+  const std::size_t pyramid = scene_copy.pyramid.target;
   const auto prepare = [](Context& context) -> Record {
     gpu::PipelineRef halve = context.fullscreen(
         {.label = "pyramid", .fragment = "pyramid.frag", .colors = {color_format}});

@@ -81,21 +81,21 @@ Record prepare(Context& context, std::size_t l) {
 } // namespace
 
 void declare_refractive(Graph& graph, const needs::Needs& needs, std::size_t l,
-                        const std::optional<Backdrop>& backdrop,
+                        const std::optional<SceneCopy>& scene_copy,
                         const std::optional<Input>& interior) {
   const needs::Layer& layer = needs.layers[l];
   const auto split = std::ranges::count_if(layer.regions, is_split);
-  if (split > 0) declare_glass(graph, needs, l, *backdrop, *interior);
+  if (split > 0) declare_glass(graph, needs, l, *scene_copy, *interior);
   const std::size_t draws = layer.refractive.size() + layer.regions.size() + layer.blended.size()
                             - static_cast<std::size_t>(split);
   if (draws == 0) return;
-  Pass pass{.label = backdrop ? "refractive" : "blended",
+  Pass pass{.label = scene_copy ? "refractive" : "blended",
             .draws = draws,
             .shades = true,
             .colors = {{.part = {scene_color(graph)}}},
             .depth = DepthOutput{scene_depth(graph)},
             .prepare = [l](Context& context) { return prepare(context, l); }};
-  if (backdrop) pass.reads = backdrop->inputs();
+  if (scene_copy) pass.reads = scene_copy->inputs();
   if (interior) pass.reads.push_back(*interior);
   graph.passes.push_back(std::move(pass));
 }

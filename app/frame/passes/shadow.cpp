@@ -1,5 +1,4 @@
-// Shadow maps: the depth of what casts, as each view of a light sees it; and, where there is glass, its own depth and how much of
-// each colour it takes. Once for a frame: samples of a pixel move the camera, not the lights.
+// Shadow maps: depth of casters in each view of a light; where there is glass, its depth and its optical depth per channel. Once for a frame: samples of a pixel move the camera, not the lights.
 #include "frame/passes/passes.h"
 
 namespace gg::frame {

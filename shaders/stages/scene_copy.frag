@@ -1,4 +1,4 @@
-// backdrop.frag: the picture behind a layer of glass, for its lookups: level 0 of the screen pyramid, and depth.
+// scene_copy.frag: copies what is behind a layer of glass for its lookups: level 0 of the scene-colour pyramid, and depth.
 #version 450
 
 layout(binding = 8) uniform sampler2D sceneColor;

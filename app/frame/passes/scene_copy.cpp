@@ -1,4 +1,4 @@
-// The picture behind a layer of glass: level 0 of its scene-colour pyramid, and the depth of what refracted rays meet.
+// Copies what is behind a layer of glass: colour, as level 0 of the scene-colour pyramid, and depth, which refracted rays intersect.
 #include "frame/passes/passes.h"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 namespace gg::frame {
 namespace {
 
-// The narrowest level is this many pixels across its shorter side: it stands for a blur as wide as the picture.
+// The narrowest level is this many pixels across its shorter side: for a blur as wide as the picture.
 constexpr int least_pyramid = 4;
 
 int pyramid_levels(int width, int height) {
@@ -25,8 +25,8 @@ bool touches(const scene::Bounds& a, const scene::Bounds& b) {
   return overlap && !within;
 }
 
-// Whether glass that makes images is drawn before the layer, and none of it touches what is in the layer: of two bodies in
-// contact the one is no picture that the other sees.
+// Whether glass that forms images is drawn before the layer and none of it touches a body of the layer: bodies in contact do not see
+// each other as images.
 bool sees_images(const needs::Needs& needs, std::size_t layer) {
   bool any = false;
   for (std::size_t before = 0; before < layer; ++before)
@@ -45,18 +45,18 @@ bool frame_blurs(const needs::Needs& needs) {
 
 } // namespace
 
-std::vector<Input> Backdrop::inputs() const {
+std::vector<Input> SceneCopy::inputs() const {
   std::vector<Input> inputs{{"screenPyramid", pyramid, gpu::Filter::linear}};
-  if (depth) inputs.push_back({"backdropDepth", *depth});
+  if (depth) inputs.push_back({"sceneCopyDepth", *depth});
   if (hiding_depth) inputs.push_back({"hidingDepth", *hiding_depth});
   return inputs;
 }
 
-// Depth is that of opaque surfaces (rays pass flat glass, and what they meet behind it shows its colour) until a layer has glass
-// before it that makes images.
-Backdrop declare_backdrop(Graph& graph, const needs::Needs& needs, std::size_t layer) {
+// Depth is that of opaque surfaces (the colour behind flat glass is that of what rays meet behind it) until a layer has glass before
+// it that forms images.
+SceneCopy declare_scene_copy(Graph& graph, const needs::Needs& needs, std::size_t layer) {
   const bool blurs = frame_blurs(needs);
-  Backdrop backdrop{
+  SceneCopy scene_copy{
       .pyramid = {graph.target(
           {.name = "screen pyramid",
            .format = color_format,
@@ -65,25 +65,25 @@ Backdrop declare_backdrop(Graph& graph, const needs::Needs& needs, std::size_t l
   const auto depth_target = [&](const char* name) {
     return Part{graph.target({.name = name, .format = gpu::Format::r32f})};
   };
-  Pass pass{.label = "backdrop",
+  Pass pass{.label = "scene copy",
             .reads = {{"sceneColor", {scene_color(graph)}}},
-            .colors = {{.part = {backdrop.pyramid.target, 0}}}};
+            .colors = {{.part = {scene_copy.pyramid.target, 0}}}};
   bool takes_depth = false;
   if (blurs) {
-    backdrop.depth = backdrop.hiding_depth = depth_target("backdrop depth");
-    takes_depth = !graph.is_written(backdrop.depth->target) || sees_images(needs, layer);
+    scene_copy.depth = scene_copy.hiding_depth = depth_target("scene copy depth");
+    takes_depth = !graph.is_written(scene_copy.depth->target) || sees_images(needs, layer);
   }
-  // Taken again, the one holds the other.
+  // A second copy serves both.
   if (!takes_depth && needs.layers[layer].interleaves)
-    backdrop.hiding_depth = depth_target("glass depth");
-  const bool copies_depth = takes_depth || backdrop.hiding_depth != backdrop.depth;
+    scene_copy.hiding_depth = depth_target("glass depth");
+  const bool copies_depth = takes_depth || scene_copy.hiding_depth != scene_copy.depth;
   if (copies_depth) {
     pass.reads.push_back({"sceneDepth", {scene_depth(graph)}});
-    pass.colors.push_back({.part = *backdrop.hiding_depth});
+    pass.colors.push_back({.part = *scene_copy.hiding_depth});
   }
   pass.prepare = [copies_depth](Context& context) -> Record {
-    gpu::PipelineDesc desc{.label = "backdrop",
-                           .fragment = "backdrop.frag",
+    gpu::PipelineDesc desc{.label = "scene copy",
+                           .fragment = "scene_copy.frag",
                            .constants = {gpu::constant(0, copies_depth)},
                            .colors = {color_format}};
     if (copies_depth) desc.colors.push_back(gpu::Format::r32f);
@@ -94,7 +94,7 @@ Backdrop declare_backdrop(Graph& graph, const needs::Needs& needs, std::size_t l
     };
   };
   graph.passes.push_back(std::move(pass));
-  return backdrop;
+  return scene_copy;
 }
 
 } // namespace gg::frame
