@@ -115,7 +115,11 @@ std::vector<std::string> command_names(const CLI::App& app) {
   if (!unknown.empty())
     throw Error(ExitCode::usage, unknown.front(), "is one argument too many", help);
   if (chosen.empty()) throw Error(ExitCode::usage, "", "no command is given", help);
-  throw Error(ExitCode::usage, "", error.what(), help);
+  // "--output: 1 required TEXT missing"
+  const std::string what = error.what();
+  if (const std::size_t colon = what.find(": 1 required"); colon != std::string::npos)
+    throw Error(ExitCode::usage, what.substr(0, colon), "is given without a value", help);
+  throw Error(ExitCode::usage, "", what, help);
 }
 
 } // namespace

@@ -72,11 +72,8 @@ std::string size_of(const Target& t) {
 
 // Passes of one label that follow each other (a pyramid's levels) are one line: of the last one's target.
 std::string passes_text(const needs::Needs& needs, const Graph& graph) {
-  std::size_t wide = 5; // the column of what is read
-  for (const Pass& pass : graph.passes)
-    wide = std::max(wide, joined(reads_of(needs, graph, pass)).size());
-  std::string text = fmt::format("{:<16}{:>6}{:>6}  {:<{}}  {}\n", "pass", "draws", "rate", "reads",
-                                 wide, "writes");
+  std::string text =
+      fmt::format("{:<28}{:>6}{:>6}  {}\n", "pass", "draws", "rate", "writes, and below it reads");
   for (std::size_t i = 0; i < graph.passes.size(); ++i) {
     const std::size_t first = i;
     while (i + 1 < graph.passes.size() && graph.passes[i + 1].label == graph.passes[first].label
@@ -85,10 +82,11 @@ std::string passes_text(const needs::Needs& needs, const Graph& graph) {
     const Pass& pass = graph.passes[i];
     const std::string label =
         i > first ? fmt::format("{} x {}", pass.label, i - first + 1) : pass.label;
-    text += fmt::format("{:<16}{:>6}{:>6}  {:<{}}  {}\n", label,
-                        pass.draws ? std::to_string(pass.draws) : "",
-                        fmt::format("1/{}", rate_of(graph, pass)),
-                        joined(reads_of(needs, graph, pass)), wide, joined(writes_of(graph, pass)));
+    text +=
+        fmt::format("{:<28}{:>6}{:>6}  {}\n", label, pass.draws ? std::to_string(pass.draws) : "",
+                    fmt::format("1/{}", rate_of(graph, pass)), joined(writes_of(graph, pass)));
+    if (const auto reads = reads_of(needs, graph, pass); !reads.empty())
+      text += "    " + joined(reads) + "\n";
   }
   return text;
 }
@@ -99,9 +97,9 @@ std::string text_of(const needs::Needs& needs, const Graph& graph) {
   std::string text = passes_text(needs, graph);
   text += "\ntargets\n";
   for (const Target& target : graph.targets)
-    text += fmt::format("  {:<16}{:<28}{:>12}\n", target.name,
+    text += fmt::format("  {:<26}{:<32}{:>12}\n", target.name,
                         size_of(target) + " " + word(target.format), bytes_of(target));
-  text += "\nbytes on the device (targets whose lives do not overlap share memory)\n";
+  text += "\nbytes on the device (targets that are not in use at the same time share memory)\n";
   const std::vector<Share> memory = memory_of(needs, graph);
   for (const Share& share : memory)
     if (share.bytes > 0) text += fmt::format("  {:<44}{:>12}\n", share.of, share.bytes);

@@ -118,7 +118,7 @@ std::string text_of(const Needs& needs) {
     text += fmt::format("  {:<36}{}\n", use.name, counted(use.draws, "draw"));
 
   const Lookups& lookups = needs.lookups;
-  text += fmt::format("\nlookups of the blurred surroundings, at most, per pixel\n"
+  text += fmt::format("\nlookups of scene-colour pyramid and environment, at most, per pixel\n"
                       "  reflected {}, refracted {}, internally reflected {}, residual {}\n",
                       lookups.reflected, lookups.refracted, lookups.internally_reflected,
                       lookups.residual);

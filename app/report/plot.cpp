@@ -173,9 +173,9 @@ private:
     const auto [x, y] = at(i);
     const Spread& ms = cell.timing.picture;
     const char* const colour = colour_of(cell.method);
-    add(R"(<g><title>{} on {}, {} samples: {:.3g} ms (quartiles {:.3g} to {:.3g}), relMSE {:.3g}</title>)",
-        escaped(cell.method), escaped(cell.device.backend), cell.samples, ms.median,
-        ms.low_quartile, ms.high_quartile, error_of(cell, measure_));
+    add(R"(<g><title>{} on {}, {} samples: {} (quartiles {} to {}), relMSE {:.3g}</title>)",
+        escaped(cell.method), escaped(cell.device.backend), cell.samples, ms_text(ms.median),
+        ms_text(ms.low_quartile), ms_text(ms.high_quartile), error_of(cell, measure_));
     add(R"(<path d="M{:.1f} {:.1f}H{:.1f}" stroke="{}" stroke-width="2"/>)",
         x_(std::max(ms.low_quartile, x_.low)), y, x_(std::max(ms.high_quartile, x_.low)), colour);
     const std::vector<std::string> all = backends();

@@ -76,8 +76,8 @@ std::string choice_text(const Section& section, const Limit& limit) {
   if (!section.choice) return {};
   const Cell& cell = section.cells[section.choice->index];
   const image::Errors& e = cell.verdict.objects;
-  std::string is = fmt::format("{}: {:.3g} ms, relMSE {:.3g}", cell_name(section, cell),
-                               cell.timing.picture.median, e.relmse);
+  std::string is = fmt::format("{}: {}, relMSE {:.3g}", cell_name(section, cell),
+                               ms_text(cell.timing.picture.median), e.relmse);
   if (image::outliers_dominate(e))
     is += fmt::format(", which outliers dominate: 1 %-trimmed it is {:.3g}", e.relmse_trimmed);
   if (limit.max_error)
@@ -96,8 +96,8 @@ std::string verdict_text(const Section& section, const Limit& limit) {
   const Cell& best = section.cells[section.front_trimmed.back()];
   const double error = best.verdict.objects.relmse_trimmed;
   std::string text =
-      fmt::format("The most accurate is {}: relMSE {:.3g} (1 %-trimmed) in {:.3g} ms",
-                  cell_name(section, best), error, best.timing.picture.median);
+      fmt::format("The most accurate is {}: relMSE {:.3g} (1 %-trimmed) in {}",
+                  cell_name(section, best), error, ms_text(best.timing.picture.median));
   const auto usual = std::ranges::find_if(section.cells, [&](const Cell& c) {
     return c.method == "standard" && c.samples == best.samples
            && c.device.backend == best.device.backend;
@@ -198,8 +198,8 @@ std::string summary_table(const Report& report) {
     if (s.front_trimmed.empty()) continue;
     const auto cell = [&](std::size_t i) {
       const Cell& c = s.cells[i];
-      return td(fmt::format("{}: {:.3g} ms, {:.3g} / {:.3g}", escaped(cell_name(s, c)),
-                            c.timing.picture.median, error_of(c, Measure::all),
+      return td(fmt::format("{}: {}, {:.3g} / {:.3g}", escaped(cell_name(s, c)),
+                            ms_text(c.timing.picture.median), error_of(c, Measure::all),
                             error_of(c, Measure::trimmed)));
     };
     rows += "<tr>" + td(fmt::format("<a href=\"#{0}\">{0}</a>", escaped(s.name)))

@@ -1,5 +1,7 @@
 #include "report/text.h"
 
+#include <fmt/format.h>
+
 namespace gg::report {
 
 std::string escaped(std::string_view text) {
@@ -26,6 +28,10 @@ std::string escaped(std::string_view text) {
       result += ch;
     }
   return result;
+}
+
+std::string ms_text(double ms) {
+  return ms < 100.0 ? fmt::format("{:.3g} ms", ms) : fmt::format("{:.0f} ms", ms);
 }
 
 std::string csv_field(std::string_view text) {

@@ -1,5 +1,6 @@
 #include "scene/apply.h"
 
+#include "core/suggest.h"
 #include "scene/brushing.h"
 #include "scene/presets.h"
 
@@ -49,9 +50,12 @@ public:
 
   const Preset& preset(const std::string& name) const {
     if (const Preset* found = find_preset(name)) return *found;
+    std::vector<std::string> names;
+    for (const Preset& one : presets())
+      names.emplace_back(one.name);
     fail("there is no preset '" + name.substr(0, 40) + "'",
-         "Conductors: " + preset_names(PresetKind::conductor)
-             + ". Dielectrics: " + preset_names(PresetKind::dielectric)
+         did_you_mean(name, names) + "Metals: " + preset_names(PresetKind::conductor)
+             + ". Clear solids: " + preset_names(PresetKind::dielectric)
              + ". Finishes: " + preset_names(PresetKind::finish) + ".");
   }
 
@@ -181,16 +185,34 @@ void apply_option(const Reader& read, const std::string& key, const std::string&
     m.iridescence_ior = read.number(key, value, 1.0f, greatest_ior);
   else if (key == "iridescence_thickness")
     m.iridescence_thickness = glm::vec2(read.number(key, value, 0.0f, unlimited));
-  else
-    read.fail(
-        "there is no setting '" + key.substr(0, 40) + "'",
-        "Settings: alpha, roughness, finish, back_alpha, distribution, color, ior, thickness, "
-        "attenuation_distance, attenuation_color, dispersion, anisotropy, anisotropy_rotation, "
-        "clearcoat, clearcoat_roughness, "
-        "iridescence, iridescence_ior, iridescence_thickness.");
+  else {
+    const std::vector<std::string> keys{"alpha",
+                                        "roughness",
+                                        "finish",
+                                        "back_alpha",
+                                        "distribution",
+                                        "color",
+                                        "ior",
+                                        "thickness",
+                                        "attenuation_distance",
+                                        "attenuation_color",
+                                        "dispersion",
+                                        "anisotropy",
+                                        "anisotropy_rotation",
+                                        "clearcoat",
+                                        "clearcoat_roughness",
+                                        "iridescence",
+                                        "iridescence_ior",
+                                        "iridescence_thickness"};
+    read.fail("there is no setting '" + key.substr(0, 40) + "'",
+              did_you_mean(key, keys) + fmt::format("Settings: {}.", fmt::join(keys, ", ")));
+  }
 }
 
-std::string material_names(const Scene& scene) {
+std::string material_names(const Scene& scene, const std::string& wanted) {
+  std::vector<std::string> names;
+  for (const Material& material : scene.materials)
+    names.push_back(material.name);
   constexpr std::size_t most = 24;
   std::string text;
   for (std::size_t i = 0; i < std::min(most, scene.materials.size()); ++i)
@@ -199,7 +221,8 @@ std::string material_names(const Scene& scene) {
                                                         : scene.materials[i].name);
   if (scene.materials.size() > most)
     text += fmt::format(" and {} more", scene.materials.size() - most);
-  return text.empty() ? "The scene has no materials." : "The scene has: " + text + "; or '*'.";
+  return text.empty() ? "The scene has no materials."
+                      : did_you_mean(wanted, names) + "The scene has: " + text + "; or '*'.";
 }
 
 // The materials that a name stands for.
@@ -251,7 +274,7 @@ void apply_material(Scene& scene, const std::string& spec) {
     if (targets = matches(scene, spec.substr(0, at)); !targets.empty()) split = at;
   if (targets.empty())
     throw Error(ExitCode::usage, where, "there is no material '" + spec.substr(0, split) + "'",
-                material_names(scene));
+                material_names(scene, spec.substr(0, split)));
 
   Setting setting;
   setting.where = where;

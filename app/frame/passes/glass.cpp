@@ -100,7 +100,7 @@ public:
     add("glass exit", "glass_exit_region.frag", {}, {first_point_, first_face_}, gpu::Blend::none,
         rate_.depth);
     declare_regions(graph_, layer_, rate_.step,
-                    {.label = "glass goes on",
+                    {.label = "glass reflection mask",
                      .fragment = "glass_goes_on.frag",
                      .depth_compare = gpu::Compare::always},
                     {.reads = {first_point_}, .depth = DepthOutput{goes_on_, 0.0f}});
@@ -200,7 +200,7 @@ private:
               weight_ = target("lobeWeight");
   // Depth 1 where light goes on by total reflection.
   const std::size_t goes_on_ =
-      graph_.target({.name = std::string("glass ") + rate_.name + " goes on",
+      graph_.target({.name = std::string("glass ") + rate_.name + " reflection mask",
                      .format = depth_format,
                      .width = scaled(graph_.width),
                      .height = scaled(graph_.height)});
