@@ -212,7 +212,10 @@ std::vector<int> object_ids(const std::vector<std::string>& wanted, const Pictur
         error != std::errc() || at != end || id < 1)
       throw Error(ExitCode::usage, "--objects",
                   "'" + word + "' is neither an object of " + with_names.name + " nor an id",
-                  did_you_mean(word, names) + "Ids are whole numbers from 1.");
+                  did_you_mean(word, names)
+                      + (names.empty() ? std::string()
+                                       : fmt::format("Its objects: {}. ", fmt::join(names, ", ")))
+                      + "Ids are whole numbers from 1.");
     ids.push_back(id);
   }
   return ids;
