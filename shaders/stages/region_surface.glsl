@@ -1,6 +1,6 @@
-// region_surface.glsl: what opaque.vert would have sent, for a solid of glass that is shaded by the pixels of its region: its
-// nearest front faces are the first layer of the interior already. Triangles of a fine mesh are a few pixels each, and machines
-// that shade blocks of pixels would shade most of them several times.
+// region_surface.glsl: the outputs of opaque.vert, for deferred shading of a solid of glass: its nearest front faces are the first
+// layer of the interior G-buffer. Triangles of a fine mesh are a few pixels each: drawn forward, devices that shade blocks of
+// pixels would shade most of them several times.
 // Limits   no maps and no colours of vertices: the layer holds depth, normal and alpha.
 #include "interface/region.glsl"
 #include "stages/region_pixel.glsl"
