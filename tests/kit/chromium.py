@@ -72,7 +72,7 @@ def draw(folder, scene, camera, samples, frames):
     threading.Thread(target=server.serve_forever, daemon=True).start()
     asked = urllib.parse.urlencode({"scene": scene, "size": SIZE, "samples": samples, "frames": frames, **camera})
     address = f"http://127.0.0.1:{server.server_port}/test.html?{asked}"
-    with tempfile.TemporaryDirectory() as profile:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile: # its children may outlive the browser
         browser = subprocess.Popen(
             ["chromium", "--headless", "--no-sandbox", "--no-first-run", "--disable-sync", "--disable-background-networking",
              "--disable-component-update", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",

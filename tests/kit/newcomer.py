@@ -76,7 +76,7 @@ def main():
     options = parser.parse_args()
     program = options.build.resolve() / "groundglass"
     for target in options.target:
-        with tempfile.TemporaryDirectory() as scratch:
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as scratch: # the browser's children may outlive it
             folder, profile = pathlib.Path(scratch) / "DIR", pathlib.Path(scratch) / "profile"
             steps = [("groundglass kit", lambda: run(scratch, program, "kit", "--target", target, "-o", folder))]
             if target == "three":
