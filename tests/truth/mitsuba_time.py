@@ -8,7 +8,7 @@ smooth: the clear parts of the etching have alpha 0.01 there; and the cloth is i
 Each draws every scene with SEEDS seeds. Printed per scene and renderer:
 
   mean      over the picture
-  relMSE    variance of a pixel / (mean² + 0.01), over pixels and channels, without its worst hundredth
+  relMSE    variance of a pixel / (mean² + 0.01), over pixels and channels, 1 %-trimmed
   seconds   of processor time for one picture; ours with loading it, a third of a second
   equal     relMSE x seconds: time for a relMSE of 1; and how many times ours it is
 
