@@ -40,16 +40,13 @@ uniforms::MaterialData block_of(const Material& m) {
   uniforms::MaterialData block{};
   block.baseColor = m.base_color;
   block.emissive = glm::vec4(m.emissive, m.alpha_cutoff);
-  const float alpha = needs::drawn_alpha(m, scene::microfacet_alpha(m));
-  block.surface = {m.metallic, needs::is_brushed_glass(m) ? std::sqrt(alpha) : m.roughness, alpha,
-                   m.ior};
+  block.surface = {m.metallic, m.roughness, scene::microfacet_alpha(m), m.ior};
   block.specular = glm::vec4(m.specular_color, m.specular);
   if (m.conductor) {
     block.conductorN = glm::vec4(m.conductor->n, 0.0f);
     block.conductorK = glm::vec4(m.conductor->k, 0.0f);
   }
-  block.transmission = {m.transmission, m.back_alpha ? needs::drawn_alpha(m, *m.back_alpha) : -1.0f,
-                        m.dispersion, 0.0f};
+  block.transmission = {m.transmission, m.back_alpha.value_or(-1.0f), m.dispersion, 0.0f};
   block.attenuation = glm::vec4(absorption_of(m), m.thickness);
   set_rows(m.base_color_map, block.baseColorRow0, block.baseColorRow1);
   set_rows(m.metallic_roughness_map, block.metallicRoughnessRow0, block.metallicRoughnessRow1);

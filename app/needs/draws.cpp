@@ -143,7 +143,8 @@ bool is_seen_from_within(const Draw& draw, const scene::SolidShape& shape,
 bool is_by_pixel(const Draw& draw) {
   return value_of(draw.key, Feature::interior_pairs) > 0 && !draw.is_straight()
          && value_of(draw.key, Feature::seen_from_within) == 0
-         && value_of(draw.key, Feature::vertex_color) == 0 && draw.maps.empty()
+         && value_of(draw.key, Feature::vertex_color) == 0
+         && value_of(draw.key, Feature::anisotropy) == 0 && draw.maps.empty()
          && draw.material->alpha_mode != scene::AlphaMode::mask;
 }
 

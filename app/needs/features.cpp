@@ -76,7 +76,7 @@ bool passes_diffuse(const Material& m) {
 
 // Alpha is 0 everywhere: a map scales roughness, so that one of 0 stays.
 bool is_smooth(const Material& m, int brushed, bool coated) {
-  if (brushed > 0 || is_brushed_glass(m)) return false;
+  if (brushed > 0) return false;
   if (coated && m.clearcoat_roughness > 0.0f) return false; // tables are read
   return scene::microfacet_alpha(m) == 0.0f && m.back_alpha.value_or(0.0f) == 0.0f;
 }
@@ -119,7 +119,7 @@ bool matters(const MapKind& map, const Material& m, Shading shading, const Frame
 bool is_of_a_layer(Feature feature) {
   return feature == Feature::clearcoat_map || feature == Feature::clearcoat_roughness_map
          || feature == Feature::clearcoat_normal_map || feature == Feature::iridescence_map
-         || feature == Feature::iridescence_thickness_map;
+         || feature == Feature::iridescence_thickness_map || feature == Feature::anisotropy_map;
 }
 
 std::vector<const MapKind*> maps_of(const scene::Scene& scene, const Material& m,
@@ -135,18 +135,18 @@ std::vector<const MapKind*> maps_of(const scene::Scene& scene, const Material& m
                        || map.feature == Feature::clearcoat_normal_map
                        || map.feature == Feature::anisotropy_map;
     if (bends && primitive.tangents == scene::none) continue;
+    if (map.feature == Feature::anisotropy_map
+            ? anisotropy_lobes(m, primitive) == 0 || has(frame.without, Feature::anisotropy)
+            : !matters(map, m, shading, frame))
+      continue;
     if (is_refractive(m) && is_of_a_layer(map.feature)) {
       // Glass fills the 16 textures of a stage that every device has with tables and pictures.
-      if (matters(map, m, shading, frame))
-        note(
-            "material '" + m.name
-            + "' is glass under a coat or a film: by its factors, the maps of these are not drawn");
+      note("material '" + m.name
+           + "' is glass that is brushed or under a coat or a film: by its factors, the maps of "
+             "these are not drawn");
       continue;
     }
-    if (map.feature == Feature::anisotropy_map
-            ? anisotropy_lobes(m, primitive) > 0 && !has(frame.without, Feature::anisotropy)
-            : matters(map, m, shading, frame))
-      maps.push_back(&map);
+    maps.push_back(&map);
   }
   return maps;
 }
@@ -161,21 +161,11 @@ bool is_refractive(const Material& m) {
 
 int anisotropy_lobes(const Material& m, const Primitive& primitive) {
   if (!(m.anisotropy_strength > 0.0f) || m.unlit || primitive.tangents == scene::none
-      || is_refractive(m) || m.distribution != scene::Distribution::ggx)
+      || m.distribution != scene::Distribution::ggx)
     return 0;
+  if (is_refractive(m)) return 1;
   const auto widths = glsl::f32::ggxAnisoWidths(scene::microfacet_alpha(m), m.anisotropy_strength);
   return glsl::f32::stretchedParts(widths);
-}
-
-bool is_brushed_glass(const Material& m) {
-  return m.anisotropy_strength > 0.0f && is_refractive(m)
-         && m.distribution == scene::Distribution::ggx;
-}
-
-float drawn_alpha(const Material& m, float alpha) {
-  if (!is_brushed_glass(m)) return alpha;
-  const auto widths = glsl::f32::ggxAnisoWidths(alpha, m.anisotropy_strength);
-  return std::sqrt(0.5f * (widths.x * widths.x + widths.y * widths.y));
 }
 
 bool is_invisible(const Material& m, const Primitive& primitive) {

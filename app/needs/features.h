@@ -105,16 +105,11 @@ enum NeighbourKind {
 };
 
 // How many lobes of isotropic surfaces replace that of a brushed one (environment/stretched_lobe.glsl): none for one
-// that is not brushed, and for glass, whose tables have one width. The error by their number: tests/bench/stretched_lobes.cpp.
+// that is not brushed, 1 for glass (stages/brushed_glass.glsl). The error by their number: tests/bench/stretched_lobes.cpp.
 int anisotropy_lobes(const scene::Material& material, const scene::Primitive& primitive);
 
 // True for a material that light passes by refraction. Its alpha mode does not matter.
 bool is_refractive(const scene::Material& material);
-
-// Glass that is brushed is drawn as rough alike in all directions, of the same variance of slopes: its tables have one width.
-bool is_brushed_glass(const scene::Material& material);
-// The width of D that is drawn for one of the material's, of its front or its back.
-float drawn_alpha(const scene::Material& material, float alpha);
 
 // True for glass of IOR 1 that neither tints, absorbs nor glows: it shows what is behind it, to the bit, so it need not
 // be drawn.

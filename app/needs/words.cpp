@@ -35,7 +35,7 @@ constexpr FeatureName names[] = {
     {Feature::clearcoat_normal_map, "clearcoat normal map"},
     {Feature::anisotropy,
      "anisotropy",
-     {nullptr, nullptr, "by two lobes", nullptr, "by four lobes", nullptr, "by six lobes"}},
+     {nullptr, "of glass, by the samples of a pixel", "by two lobes", nullptr, "by four lobes", nullptr, "by six lobes"}},
     {Feature::anisotropy_map, "anisotropy map"},
     {Feature::iridescence, "iridescence"},
     {Feature::iridescence_map, "iridescence map"},

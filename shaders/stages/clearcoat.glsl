@@ -92,7 +92,7 @@ vec3 coatLights(Surface coat) {
 // The share that the base keeps.
 float coatLeaves(Surface s) {
     if (!hasCoat) return 1.0;
-    return 1.0 - coatShare(coatStrength(), dot(coatSurface(s).n, s.wo));
+    return coatPasses(coatStrength(), dot(coatSurface(s).n, s.wo));
 }
 
 // Of what it reflects itself, its share.

@@ -90,13 +90,13 @@ InnerArrival reachFace(Surface s, InnerArrival before, InnerLobe ray, float invI
     float cosTheta = -dot(ray.direction, s.n);
     // For an open sheet with a given thickness it is the other face of the plate; a grazing ray leaves after 20 thicknesses.
     a.segment = surfaceThickness() * meshUnit() / max(cosTheta, 0.05);
-    a.face.n = -s.n;
+    a.face.n = -s.level;
     a.face.alpha = s.alpha;
     if (reflected) {
         // A wall thinner than the search resolves: the entry face.
         from = before.point;
         a.segment = cosTheta < 0.0 ? before.segment * dot(before.ray.direction, s.n) / cosTheta : -1.0;
-        a.face.n = s.n;
+        a.face.n = s.level;
     }
     if (interiorPairs > 0) {
         InteriorView view = interiorCamera();
@@ -109,6 +109,14 @@ InnerArrival reachFace(Surface s, InnerArrival before, InnerLobe ray, float invI
             a.face.turn = exitTurn(dot(ray.direction, hit.n), before.run + hit.distance, hit.curvature);
             if (reflected) a.face.turn = seenBySpread(a.face.turn, ray.sigma);
         }
+    }
+    if (leansByBrush) {
+        vec2 widths = vec2(s.along, s.across);
+        if (ofPixel(material.transmission.y) >= 0.0) widths = ggxAnisoWidths(material.transmission.y, material.anisotropy.x);
+        BrushedFacets f = facetsOfFarFace(a.face.n, ray.direction, s.brush, widths);
+        a.face.n = f.n;
+        a.face.alpha = f.alpha;
+        a.ray.weight *= f.weight;
     }
     a.point = from + a.segment * ray.direction;
     a.run = before.run + a.segment;

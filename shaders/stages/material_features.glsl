@@ -38,7 +38,7 @@ layout(constant_id = 32) const bool hasCoat = false; // KHR_materials_clearcoat
 layout(constant_id = 33) const int clearcoatMapUv = 0;
 layout(constant_id = 34) const int clearcoatRoughnessMapUv = 0;
 layout(constant_id = 35) const int clearcoatNormalMapUv = 0;
-layout(constant_id = 36) const int brushedLobes = 0; // KHR_materials_anisotropy: lobes in place of the stretched one; 0: none
+layout(constant_id = 36) const int brushing = 0; // KHR_materials_anisotropy: lobes in place of the stretched one; 1: glass
 layout(constant_id = 37) const int anisotropyMapUv = 0;
 layout(constant_id = 38) const bool hasFilm = false; // KHR_materials_iridescence
 layout(constant_id = 39) const int iridescenceMapUv = 0;
@@ -51,3 +51,4 @@ layout(constant_id = 45) const bool hasHollows = false; // vertices hold the sha
 layout(constant_id = 26) const int interiorPairs = 0; // of front and back faces that the inside is followed through
 
 const bool hasLights = lighting != 0;
+const int brushedLobes = transmission > 0 ? 0 : brushing; // glass: stages/brushed_glass.glsl

@@ -37,7 +37,7 @@ void main() {
     outNormal = unitOrZero(mat3(instance.normalFromMesh) * inNormal);
     // What no map reads is neither fetched nor transformed.
     outTangent = vec4(0.0);
-    if (normalMapUv > 0 || clearcoatNormalMapUv > 0 || brushedLobes > 0)
+    if (normalMapUv > 0 || clearcoatNormalMapUv > 0 || brushing > 0)
         outTangent = vec4(unitOrZero(mat3(instance.worldFromMesh) * inTangent.xyz), inTangent.w * instance.normalFromMesh[3][3]);
     outColor = vec4(1.0);
     if (hasVertexColor) outColor = inColor;

@@ -20,7 +20,7 @@ vec4 refractiveColor(vec4 base) {
     FarFace near;
     near.tint = sqrt(s.baseColor);
     near.clear = transmission == 2 ? throughShare(s) : 1.0;
-    vec3 entry = throughShare(s) * near.tint;
+    vec3 entry = throughShare(s) * near.tint * s.facets;
     float leaves = 1.0; // the coat, of what is reflected under it
     if (twice) {
         leaves = coatLeaves(s);
@@ -39,7 +39,7 @@ vec4 refractiveColor(vec4 base) {
     MirrorLobes mirror = noMirror(s);
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);
-        light.weight *= leaves;
+        light.weight *= leaves * s.facets;
         light.diffuse *= leaves;
         mirror = mirrorLobes(s, light);
         radiance += light.diffuse;
@@ -86,6 +86,6 @@ vec4 refractiveColor(vec4 base) {
             radiance += mask * glassRadiance(lobes, reflected);
         }
     }
-    if (hasLights) radiance += leaves * punctualLight(s);
+    if (hasLights) radiance += leaves * s.facets * punctualLight(s);
     return vec4(radiance * coverage, coverage);
 }

@@ -21,6 +21,8 @@ layout(binding = 45) uniform sampler2D iridescenceThicknessMap;
 layout(binding = 46) uniform sampler2D diffuseTransmissionMap;
 layout(binding = 47) uniform sampler2D diffuseTransmissionColorMap;
 
+#include "stages/brushed_glass.glsl"
+
 struct Surface {
     vec3 position;
     vec3 wo;           // to the viewer
@@ -37,6 +39,9 @@ struct Surface {
     float turn;        // turnOverPixel of the mirror's direction
     vec3 brush;        // KHR_materials_anisotropy: unit, in the surface, along the brushing; width of D along it. alpha: across
     float along;
+    vec3 level;        // of brushed glass: n before it leans along the brushing (stages/brushed_glass.glsl); n elsewhere
+    float across;      // and the width across it
+    float facets;      // what the facets of this sample weigh; 1 elsewhere
     float filmShare;   // KHR_materials_iridescence
     float filmThickness; // nanometres
     vec3 passedColor;  // KHR_materials_diffuse_transmission: of the base's light that comes out on the other side
@@ -100,6 +105,21 @@ void readBrushing(inout Surface s) {
     s.alpha = widths.y;
 }
 
+// Interpolated and mapped normals can turn away from a viewer who sees the surface. Microfacet theory has no answer
+// there (G = 0: black fringes at silhouettes), so n moves by the least turn that makes it perpendicular to wo.
+vec3 faceViewer(vec3 n, vec3 wo) {
+    float c = dot(n, wo);
+    return c >= 0.0 ? n : normalize(n - c * wo);
+}
+
+void leanAlongBrush(inout Surface s) {
+    s.across = s.alpha;
+    BrushedFacets f = facetsOfSample(s.n, s.wo, s.brush, vec2(s.along, s.across), false);
+    s.n = faceViewer(f.n, s.wo);
+    s.alpha = f.alpha;
+    s.facets = f.weight;
+}
+
 // KHR_materials_iridescence.
 void readFilm(inout Surface s) {
     s.filmShare = material.film.x;
@@ -124,13 +144,6 @@ void readDiffuseTransmission(inout Surface s) {
         s.passedColor *= texture(diffuseTransmissionColorMap,
                                  mapUv(diffuseTransmissionColorMapUv, material.diffuseTransmissionColorRow0,
                                        material.diffuseTransmissionColorRow1)).xyz;
-}
-
-// Interpolated and mapped normals can turn away from a viewer who sees the surface. Microfacet theory has no answer
-// there (G = 0: black fringes at silhouettes), so n moves by the least turn that makes it perpendicular to wo.
-vec3 faceViewer(vec3 n, vec3 wo) {
-    float c = dot(n, wo);
-    return c >= 0.0 ? n : normalize(n - c * wo);
 }
 
 // By how much a direction turns over what one sample shows of the pixel: the variance per axis, radians². Without it
@@ -186,7 +199,10 @@ Surface readSurface(vec4 base) {
     if (emissiveMapUv > 0)
         s.emissive *= texture(emissiveMap, mapUv(emissiveMapUv, material.emissiveRow0, material.emissiveRow1)).xyz;
     s.turn = turnOverPixel(reflect(-s.wo, s.n));
-    if (brushedLobes > 0) readBrushing(s);
+    s.level = s.n;
+    s.facets = 1.0;
+    if (brushing > 0) readBrushing(s);
+    if (brushing > 0 && transmission > 0) leanAlongBrush(s);
     if (hasFilm) readFilm(s);
     if (passesDiffuse) readDiffuseTransmission(s);
     return s;

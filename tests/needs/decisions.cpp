@@ -331,6 +331,19 @@ TEST(needs, a_solid_is_drawn_by_its_pixels_where_the_mesh_has_no_more_to_say) {
 }
 
 // Of what is shaded by its triangles the depth test knows.
+// Its tangents are what says along which way (the path tracer needs them too); the layer of a region has none.
+TEST(needs, glass_is_brushed_where_it_has_tangents) {
+  scene::Material brushed = glass(0.1f);
+  brushed.anisotropy_strength = 0.5f;
+  scene::Scene scene = ball(brushed);
+  const auto drawn = [&] { return needs::needs_of(scene, view()).draws.all[0]; };
+  EXPECT_EQ(value_of(drawn().key, Feature::anisotropy), 1);
+  EXPECT_FALSE(drawn().by_pixel);
+  scene.meshes[0].primitives[0].tangents = scene::none;
+  EXPECT_EQ(value_of(drawn().key, Feature::anisotropy), 0);
+  EXPECT_TRUE(drawn().by_pixel);
+}
+
 TEST(needs, the_depth_of_glass_is_taken_where_it_may_hide_parts_of_a_solid_drawn_later) {
   const auto taken = [](float z, scene::Material material) {
     scene::Scene scene = box(glass(0.1f)); // flat faces: what lookups meet is not taken anew
