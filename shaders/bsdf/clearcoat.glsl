@@ -2,7 +2,8 @@
 // Frame    none: cosTheta = |wo . n| of the coat's own normal.
 // alpha    none: the coat's lobe is D V of its own width (ggx.glsl).
 // Returns  coatShare: [0, 1]. Of what is seen along wo the share that the coat's lobe makes; the base, with what it emits, makes
-//          1 - coatShare, which coatPasses keeps the digits of towards the horizon. Both at the angle to the normal, so that energy is kept whatever the lobes lose.
+//          1 - coatShare, which coatPasses gives with all its digits towards the horizon. Both at the angle to the normal, so
+//          that energy is kept whatever the lobes lose.
 // Source   KHR_materials_clearcoat, "Layering": mix(base, coat, clearcoat F(|N . V|)), ior 1.5. F is exact, not Schlick's.
 // Limits   not reciprocal, as the extension is not: light on its way in is not weakened. The coat absorbs nothing, bends nothing.
 #ifndef GG_BSDF_CLEARCOAT_GLSL

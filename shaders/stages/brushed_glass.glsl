@@ -1,5 +1,5 @@
-// brushed_glass.glsl: glass that is brushed (KHR_materials_anisotropy). The tables of an interface know one width, so each sample of
-// a pixel takes the facets of one slope along the brushing, whose lobe has one: the narrow one about a normal that leans. Both
+// brushed_glass.glsl: glass that is brushed (KHR_materials_anisotropy). The tables of an interface know one width, so each sample
+// of a pixel takes the facets of one slope along the brushing, whose lobe has one: the narrow one about a normal that leans. Both
 // faces; of the far one along the near one's brushing.
 // Frame    world; directions unit.
 // Needs    stages/material_features.glsl, interface/frame.glsl, bsdf/ggx_anisotropic.glsl.

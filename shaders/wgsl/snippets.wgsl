@@ -1,4 +1,4 @@
-// Made by shaders/wgsl/make of 53ab087d43f9ba7e5703d35c22840c330c923c70318129d5339fe26dfc44e617: do not edit.
+// Made by shaders/wgsl/make of 5fabe3b71b68f156f85ac2830f84f6cac84881571553e6cb6e6ca39e01dc0678: do not edit.
 struct Tilt {
     p: f32,
     z: f32,
@@ -1139,6 +1139,19 @@ fn coatShare(strength: f32, cosTheta_6: f32) -> f32 {
     return (_e7 * _e9);
 }
 
+fn coatPasses(strength_2: f32, cosTheta_8: f32) -> f32 {
+    var strength_3: f32;
+    var cosTheta_9: f32;
+
+    strength_3 = strength_2;
+    cosTheta_9 = cosTheta_8;
+    let _e8 = strength_3;
+    let _e10 = strength_3;
+    let _e11 = cosTheta_9;
+    let _e12 = fresnelTransmittedAt(_e11, COAT_IOR);
+    return ((1f - _e8) + (_e10 * _e12));
+}
+
 fn twinRenormalize(hi: vec3<f32>, lo: vec3<f32>) -> Twin3 {
     var hi_1: vec3<f32>;
     var lo_1: vec3<f32>;
@@ -1984,8 +1997,8 @@ fn conductorTerms(c_11: f32, n_16: f32, k_2: f32) -> ConductorTerms {
     return _e168;
 }
 
-fn fresnelConductor(cosTheta_8: f32, n_18: f32, k_4: f32) -> f32 {
-    var cosTheta_9: f32;
+fn fresnelConductor(cosTheta_10: f32, n_18: f32, k_4: f32) -> f32 {
+    var cosTheta_11: f32;
     var n_19: f32;
     var k_5: f32;
     var c_13: f32;
@@ -1995,10 +2008,10 @@ fn fresnelConductor(cosTheta_8: f32, n_18: f32, k_4: f32) -> f32 {
     var local_17: f32;
     var rpOverRs: f32;
 
-    cosTheta_9 = cosTheta_8;
+    cosTheta_11 = cosTheta_10;
     n_19 = n_18;
     k_5 = k_4;
-    let _e10 = cosTheta_9;
+    let _e10 = cosTheta_11;
     c_13 = clamp(abs(_e10), 0f, 1f);
     let _e16 = c_13;
     let _e17 = n_19;
@@ -2030,18 +2043,18 @@ fn fresnelConductor(cosTheta_8: f32, n_18: f32, k_4: f32) -> f32 {
     return min(((0.5f * _e52) * (1f + _e55)), 1f);
 }
 
-fn fresnelAbsorbed(cosTheta_10: f32, n_20: f32, k_6: f32) -> f32 {
-    var cosTheta_11: f32;
+fn fresnelAbsorbed(cosTheta_12: f32, n_20: f32, k_6: f32) -> f32 {
+    var cosTheta_13: f32;
     var n_21: f32;
     var k_7: f32;
     var c_14: f32;
     var t_15: ConductorTerms;
     var sin2_2: f32;
 
-    cosTheta_11 = cosTheta_10;
+    cosTheta_13 = cosTheta_12;
     n_21 = n_20;
     k_7 = k_6;
-    let _e10 = cosTheta_11;
+    let _e10 = cosTheta_13;
     c_14 = clamp(abs(_e10), 0f, 1f);
     let _e16 = c_14;
     let _e17 = n_21;
@@ -2065,36 +2078,36 @@ fn fresnelAbsorbed(cosTheta_10: f32, n_20: f32, k_6: f32) -> f32 {
     return min(((((2f * _e45.a) * _e48) / _e50.denS) * (1f + ((_e54.q2_ + _e56) / _e58.denP))), 1f);
 }
 
-fn fresnelConductorRgb(cosTheta_12: f32, n_22: vec3<f32>, k_8: vec3<f32>) -> vec3<f32> {
-    var cosTheta_13: f32;
+fn fresnelConductorRgb(cosTheta_14: f32, n_22: vec3<f32>, k_8: vec3<f32>) -> vec3<f32> {
+    var cosTheta_15: f32;
     var n_23: vec3<f32>;
     var k_9: vec3<f32>;
 
-    cosTheta_13 = cosTheta_12;
+    cosTheta_15 = cosTheta_14;
     n_23 = n_22;
     k_9 = k_8;
-    let _e10 = cosTheta_13;
+    let _e10 = cosTheta_15;
     let _e11 = n_23;
     let _e13 = k_9;
     let _e15 = fresnelConductor(_e10, _e11.x, _e13.x);
-    let _e16 = cosTheta_13;
+    let _e16 = cosTheta_15;
     let _e17 = n_23;
     let _e19 = k_9;
     let _e21 = fresnelConductor(_e16, _e17.y, _e19.y);
-    let _e22 = cosTheta_13;
+    let _e22 = cosTheta_15;
     let _e23 = n_23;
     let _e25 = k_9;
     let _e27 = fresnelConductor(_e22, _e23.z, _e25.z);
     return vec3<f32>(_e15, _e21, _e27);
 }
 
-fn schlickWeight(cosTheta_14: f32) -> f32 {
-    var cosTheta_15: f32;
+fn schlickWeight(cosTheta_16: f32) -> f32 {
+    var cosTheta_17: f32;
     var m_4: f32;
     var m2_: f32;
 
-    cosTheta_15 = cosTheta_14;
-    let _e7 = cosTheta_15;
+    cosTheta_17 = cosTheta_16;
+    let _e7 = cosTheta_17;
     m_4 = (1f - clamp(_e7, 0f, 1f));
     let _e13 = m_4;
     let _e14 = m_4;
@@ -2105,28 +2118,28 @@ fn schlickWeight(cosTheta_14: f32) -> f32 {
     return ((_e17 * _e18) * _e20);
 }
 
-fn fresnelSchlick(cosTheta_16: f32, f0_: f32) -> f32 {
-    var cosTheta_17: f32;
+fn fresnelSchlick(cosTheta_18: f32, f0_: f32) -> f32 {
+    var cosTheta_19: f32;
     var f0_1: f32;
 
-    cosTheta_17 = cosTheta_16;
+    cosTheta_19 = cosTheta_18;
     f0_1 = f0_;
     let _e8 = f0_1;
     let _e10 = f0_1;
-    let _e12 = cosTheta_17;
+    let _e12 = cosTheta_19;
     let _e13 = schlickWeight(_e12);
     return (_e8 + ((1f - _e10) * _e13));
 }
 
-fn fresnelSchlickRgb(cosTheta_18: f32, f0_2: vec3<f32>) -> vec3<f32> {
-    var cosTheta_19: f32;
+fn fresnelSchlickRgb(cosTheta_20: f32, f0_2: vec3<f32>) -> vec3<f32> {
+    var cosTheta_21: f32;
     var f0_3: vec3<f32>;
 
-    cosTheta_19 = cosTheta_18;
+    cosTheta_21 = cosTheta_20;
     f0_3 = f0_2;
     let _e8 = f0_3;
     let _e11 = f0_3;
-    let _e13 = cosTheta_19;
+    let _e13 = cosTheta_21;
     let _e14 = schlickWeight(_e13);
     return (_e8 + ((vec3(1f) - _e11) * _e14));
 }
@@ -2458,19 +2471,19 @@ fn ggxSampleVisible(wo_24: vec3<f32>, alpha_40: vec2<f32>, u_5: vec2<f32>) -> ve
     return _e102;
 }
 
-fn ggxAnisoWidths(alpha_42: f32, strength_2: f32) -> vec2<f32> {
+fn ggxAnisoWidths(alpha_42: f32, strength_4: f32) -> vec2<f32> {
     var alpha_43: f32;
-    var strength_3: f32;
+    var strength_5: f32;
     var across_6: f32;
 
     alpha_43 = alpha_42;
-    strength_3 = strength_2;
+    strength_5 = strength_4;
     let _e8 = alpha_43;
     across_6 = max(_e8, 0.001f);
     let _e12 = across_6;
     let _e14 = across_6;
-    let _e16 = strength_3;
-    let _e18 = strength_3;
+    let _e16 = strength_5;
+    let _e18 = strength_5;
     let _e21 = across_6;
     return vec2<f32>((_e12 + (((1f - _e14) * _e16) * _e18)), _e21);
 }
@@ -3435,8 +3448,8 @@ fn filmChannel(first: vec2<f32>, sin2_3: f32, filmIor: f32, filmCos: f32, baseIo
     return clamp((0.5f * (_e39 + _e45)), 0f, 1f);
 }
 
-fn filmFresnel(cosTheta_20: f32, filmIor_2: f32, thickness: f32, baseIor_2: vec3<f32>) -> vec3<f32> {
-    var cosTheta_21: f32;
+fn filmFresnel(cosTheta_22: f32, filmIor_2: f32, thickness: f32, baseIor_2: vec3<f32>) -> vec3<f32> {
+    var cosTheta_23: f32;
     var filmIor_3: f32;
     var thickness_1: f32;
     var baseIor_3: vec3<f32>;
@@ -3449,11 +3462,11 @@ fn filmFresnel(cosTheta_20: f32, filmIor_2: f32, thickness: f32, baseIor_2: vec3
     var two: vec3<f32>;
     var three: vec3<f32>;
 
-    cosTheta_21 = cosTheta_20;
+    cosTheta_23 = cosTheta_22;
     filmIor_3 = filmIor_2;
     thickness_1 = thickness;
     baseIor_3 = baseIor_2;
-    let _e12 = cosTheta_21;
+    let _e12 = cosTheta_23;
     c_15 = clamp(_e12, 0f, 1f);
     let _e17 = c_15;
     if !((_e17 > 0f)) {
@@ -4751,32 +4764,32 @@ fn tableCoordinate(x_18: f32, size_16: i32) -> f32 {
     return _e18;
 }
 
-fn energyCoordinate(cosTheta_22: f32, alpha_74: f32) -> vec2<f32> {
-    var cosTheta_23: f32;
+fn energyCoordinate(cosTheta_24: f32, alpha_74: f32) -> vec2<f32> {
+    var cosTheta_25: f32;
     var alpha_75: f32;
 
-    cosTheta_23 = cosTheta_22;
+    cosTheta_25 = cosTheta_24;
     alpha_75 = alpha_74;
-    let _e17 = cosTheta_23;
+    let _e17 = cosTheta_25;
     let _e21 = tableCoordinate(sqrt(max(_e17, 0f)), ENERGY_TABLE_SIZE);
     let _e22 = alpha_75;
     let _e26 = tableCoordinate(sqrt(max(_e22, 0f)), ENERGY_TABLE_SIZE);
     return vec2<f32>(_e21, _e26);
 }
 
-fn lobeCoordinateOf(lobe: i32, lobes: i32, cosTheta_24: f32, alpha_76: f32, edge: f32) -> vec3<f32> {
+fn lobeCoordinateOf(lobe: i32, lobes: i32, cosTheta_26: f32, alpha_76: f32, edge: f32) -> vec3<f32> {
     var lobe_1: i32;
     var lobes_1: i32;
-    var cosTheta_25: f32;
+    var cosTheta_27: f32;
     var alpha_77: f32;
     var edge_1: f32;
 
     lobe_1 = lobe;
     lobes_1 = lobes;
-    cosTheta_25 = cosTheta_24;
+    cosTheta_27 = cosTheta_26;
     alpha_77 = alpha_76;
     edge_1 = edge;
-    let _e23 = cosTheta_25;
+    let _e23 = cosTheta_27;
     let _e27 = tableCoordinate(sqrt(max(_e23, 0f)), LOBE_TABLE_SIZE);
     let _e28 = alpha_77;
     let _e32 = lobe_1;
@@ -4787,15 +4800,15 @@ fn lobeCoordinateOf(lobe: i32, lobes: i32, cosTheta_24: f32, alpha_76: f32, edge
     return vec3<f32>(_e27, _e34, _e36);
 }
 
-fn lobeCoordinate(cosTheta_26: f32, alpha_78: f32, edge_2: f32) -> vec3<f32> {
-    var cosTheta_27: f32;
+fn lobeCoordinate(cosTheta_28: f32, alpha_78: f32, edge_2: f32) -> vec3<f32> {
+    var cosTheta_29: f32;
     var alpha_79: f32;
     var edge_3: f32;
 
-    cosTheta_27 = cosTheta_26;
+    cosTheta_29 = cosTheta_28;
     alpha_79 = alpha_78;
     edge_3 = edge_2;
-    let _e21 = cosTheta_27;
+    let _e21 = cosTheta_29;
     let _e22 = alpha_79;
     let _e23 = edge_3;
     let _e24 = lobeCoordinateOf(0i, 1i, _e21, _e22, _e23);
@@ -4880,12 +4893,12 @@ fn lobeDirection(r_15: vec3<f32>, n_28: vec3<f32>, lean: f32) -> vec3<f32> {
     return normalize(mix(_e19, _e20, vec3(_e21)));
 }
 
-fn diffuseAngles(cosTheta_28: f32) -> vec3<f32> {
-    var cosTheta_29: f32;
+fn diffuseAngles(cosTheta_30: f32) -> vec3<f32> {
+    var cosTheta_31: f32;
     var c_24: f32;
 
-    cosTheta_29 = cosTheta_28;
-    let _e15 = cosTheta_29;
+    cosTheta_31 = cosTheta_30;
+    let _e15 = cosTheta_31;
     c_24 = clamp(_e15, 0f, 1f);
     let _e21 = c_24;
     let _e26 = c_24;
@@ -5113,8 +5126,8 @@ fn stretchedAlbedo(wo_52: vec3<f32>, alpha_86: vec2<f32>) -> f32 {
     return min(_e42, 1f);
 }
 
-fn capFormFactor(cosTheta_30: f32, sin2_6: f32) -> f32 {
-    var cosTheta_31: f32;
+fn capFormFactor(cosTheta_32: f32, sin2_6: f32) -> f32 {
+    var cosTheta_33: f32;
     var sin2_7: f32;
     var within_1: f32;
     var c_26: f32;
@@ -5123,11 +5136,11 @@ fn capFormFactor(cosTheta_30: f32, sin2_6: f32) -> f32 {
     var y_10: f32;
     var chord: f32;
 
-    cosTheta_31 = cosTheta_30;
+    cosTheta_33 = cosTheta_32;
     sin2_7 = sin2_6;
     let _e19 = sin2_7;
     within_1 = min(_e19, 0.999f);
-    let _e23 = cosTheta_31;
+    let _e23 = cosTheta_33;
     c_26 = clamp(_e23, -1f, 1f);
     let _e29 = c_26;
     let _e30 = c_26;
@@ -5797,10 +5810,10 @@ fn proxyLobe(wo_54: vec3<f32>, n_37: vec3<f32>, alpha_88: f32) -> ProxyLobe {
     return _e119;
 }
 
-fn proxyFresnel(f0_8: vec3<f32>, f90_: f32, cosTheta_32: f32, alpha_90: f32) -> vec3<f32> {
+fn proxyFresnel(f0_8: vec3<f32>, f90_: f32, cosTheta_34: f32, alpha_90: f32) -> vec3<f32> {
     var f0_9: vec3<f32>;
     var f90_1: f32;
-    var cosTheta_33: f32;
+    var cosTheta_35: f32;
     var alpha_91: f32;
     var c_29: f32;
     var x_22: f32;
@@ -5808,9 +5821,9 @@ fn proxyFresnel(f0_8: vec3<f32>, f90_: f32, cosTheta_32: f32, alpha_90: f32) -> 
 
     f0_9 = f0_8;
     f90_1 = f90_;
-    cosTheta_33 = cosTheta_32;
+    cosTheta_35 = cosTheta_34;
     alpha_91 = alpha_90;
-    let _e24 = cosTheta_33;
+    let _e24 = cosTheta_35;
     let _e29 = alpha_91;
     c_29 = mix(clamp(_e24, 0f, 1f), 0.65f, sqrt(_e29));
     let _e34 = c_29;
@@ -5901,18 +5914,18 @@ fn wideningBeckmann(lobes_4: i32) -> Widening {
     return _e45;
 }
 
-fn exitTurn(cosTheta_34: f32, pathLength: f32, curvature: vec2<f32>) -> vec2<f32> {
-    var cosTheta_35: f32;
+fn exitTurn(cosTheta_36: f32, pathLength: f32, curvature: vec2<f32>) -> vec2<f32> {
+    var cosTheta_37: f32;
     var pathLength_1: f32;
     var curvature_1: vec2<f32>;
     var turn: vec2<f32>;
 
-    cosTheta_35 = cosTheta_34;
+    cosTheta_37 = cosTheta_36;
     pathLength_1 = pathLength;
     curvature_1 = curvature;
     let _e22 = pathLength_1;
     let _e23 = curvature_1;
-    let _e26 = cosTheta_35;
+    let _e26 = cosTheta_37;
     let _e30 = pathLength_1;
     let _e31 = curvature_1;
     turn = vec2<f32>(((_e22 * _e23.x) / max(_e26, 0.000001f)), (_e30 * _e31.y));
@@ -5920,11 +5933,11 @@ fn exitTurn(cosTheta_34: f32, pathLength: f32, curvature: vec2<f32>) -> vec2<f32
     return clamp(_e36, vec2(-8f), vec2(8f));
 }
 
-fn sphereTurn(cosTheta_36: f32) -> vec2<f32> {
-    var cosTheta_37: f32;
+fn sphereTurn(cosTheta_38: f32) -> vec2<f32> {
+    var cosTheta_39: f32;
 
-    cosTheta_37 = cosTheta_36;
-    let _e20 = cosTheta_37;
+    cosTheta_39 = cosTheta_38;
+    let _e20 = cosTheta_39;
     return vec2<f32>(2f, (2f * _e20));
 }
 
@@ -7310,7 +7323,7 @@ fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec
     var below_6: BackFace;
     var off_2: vec2<f32>;
     var found_2: BackFaceExit;
-    var cosTheta_38: f32;
+    var cosTheta_40: f32;
     var curvature_4: vec2<f32>;
 
     face_8 = face_7;
@@ -7367,7 +7380,7 @@ fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec
     found_2.number = _e130.number;
     let _e132 = direction_21;
     let _e133 = found_2;
-    cosTheta_38 = dot(_e132, _e133.exit.surface.n);
+    cosTheta_40 = dot(_e132, _e133.exit.surface.n);
     let _e139 = face_8;
     let _e141 = direction_21;
     let _e142 = right_2;
@@ -7380,12 +7393,12 @@ fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec
     let _e159 = face_8;
     let _e162 = exitCurvature(_e139.n, _e141, (_e142.point - _e144.point), (_e147.n - _e149.n), (_e152.point - _e154.point), (_e157.n - _e159.n));
     curvature_4 = _e162;
-    let _e167 = cosTheta_38;
+    let _e167 = cosTheta_40;
     let _e168 = found_2;
     let _e171 = curvature_4;
     let _e172 = exitTurn(_e167, _e168.exit.path, _e171);
     found_2.exit.surface.turn = _e172;
-    let _e174 = cosTheta_38;
+    let _e174 = cosTheta_40;
     found_2.found = (_e174 > 0f);
     let _e177 = found_2;
     return _e177;
@@ -7863,8 +7876,8 @@ fn mergePairs(core_4: ComposedPair, tail_3: ComposedPair) -> ComposedPair {
     return _e49;
 }
 
-fn interfaceCosineAxis(cosTheta_39: f32, eta_48: f32) -> f32 {
-    var cosTheta_40: f32;
+fn interfaceCosineAxis(cosTheta_41: f32, eta_48: f32) -> f32 {
+    var cosTheta_42: f32;
     var eta_49: f32;
     var c_31: f32;
     var critical: f32;
@@ -7878,9 +7891,9 @@ fn interfaceCosineAxis(cosTheta_39: f32, eta_48: f32) -> f32 {
     var local_96: f32;
     var local_97: f32;
 
-    cosTheta_40 = cosTheta_39;
+    cosTheta_42 = cosTheta_41;
     eta_49 = eta_48;
-    let _e42 = cosTheta_40;
+    let _e42 = cosTheta_42;
     c_31 = clamp(_e42, 0f, 1f);
     let _e47 = eta_49;
     if (_e47 >= 1f) {
@@ -8011,16 +8024,16 @@ fn interfaceEtaAxis(eta_52: f32) -> f32 {
     return (((_e54 - 1f) / (_e57 + 1f)) * 1.6666666f);
 }
 
-fn interfaceEnergyCoordinate(cosTheta_41: f32, alpha_94: f32, eta_54: f32) -> vec3<f32> {
-    var cosTheta_42: f32;
+fn interfaceEnergyCoordinate(cosTheta_43: f32, alpha_94: f32, eta_54: f32) -> vec3<f32> {
+    var cosTheta_44: f32;
     var alpha_95: f32;
     var eta_55: f32;
     var local_100: i32;
 
-    cosTheta_42 = cosTheta_41;
+    cosTheta_44 = cosTheta_43;
     alpha_95 = alpha_94;
     eta_55 = eta_54;
-    let _e44 = cosTheta_42;
+    let _e44 = cosTheta_44;
     let _e45 = eta_55;
     let _e46 = interfaceCosineAxis(_e44, _e45);
     let _e49 = blockCoordinate(_e46, INTERFACE_ENERGY_COSINES, 0i, 1i);
@@ -8039,20 +8052,20 @@ fn interfaceEnergyCoordinate(cosTheta_41: f32, alpha_94: f32, eta_54: f32) -> ve
     return vec3<f32>(_e49, _e56, _e67);
 }
 
-fn interfaceLobeCoordinate(lobe_5: i32, lobes_6: i32, cosTheta_43: f32, alpha_96: f32, eta_56: f32) -> vec3<f32> {
+fn interfaceLobeCoordinate(lobe_5: i32, lobes_6: i32, cosTheta_45: f32, alpha_96: f32, eta_56: f32) -> vec3<f32> {
     var lobe_6: i32;
     var lobes_7: i32;
-    var cosTheta_44: f32;
+    var cosTheta_46: f32;
     var alpha_97: f32;
     var eta_57: f32;
     var local_101: i32;
 
     lobe_6 = lobe_5;
     lobes_7 = lobes_6;
-    cosTheta_44 = cosTheta_43;
+    cosTheta_46 = cosTheta_45;
     alpha_97 = alpha_96;
     eta_57 = eta_56;
-    let _e48 = cosTheta_44;
+    let _e48 = cosTheta_46;
     let _e49 = eta_57;
     let _e50 = interfaceCosineAxis(_e48, _e49);
     let _e53 = blockCoordinate(_e50, INTERFACE_LOBE_COSINES, 0i, 1i);
@@ -8073,14 +8086,14 @@ fn interfaceLobeCoordinate(lobe_5: i32, lobes_6: i32, cosTheta_43: f32, alpha_96
     return vec3<f32>(_e53, _e60, _e71);
 }
 
-fn interfaceSnell(cosTheta_45: f32, eta_58: f32) -> f32 {
-    var cosTheta_46: f32;
+fn interfaceSnell(cosTheta_47: f32, eta_58: f32) -> f32 {
+    var cosTheta_48: f32;
     var eta_59: f32;
     var c_32: f32;
 
-    cosTheta_46 = cosTheta_45;
+    cosTheta_48 = cosTheta_47;
     eta_59 = eta_58;
-    let _e42 = cosTheta_46;
+    let _e42 = cosTheta_48;
     c_32 = clamp(_e42, 0f, 1f);
     let _e48 = c_32;
     let _e51 = c_32;
@@ -8090,8 +8103,8 @@ fn interfaceSnell(cosTheta_45: f32, eta_58: f32) -> f32 {
     return atan2(sqrt(((1f - _e48) * (1f + _e51))), _e57);
 }
 
-fn interfaceWidth(cosTheta_47: f32, alpha_98: f32, eta_60: f32) -> f32 {
-    var cosTheta_48: f32;
+fn interfaceWidth(cosTheta_49: f32, alpha_98: f32, eta_60: f32) -> f32 {
+    var cosTheta_50: f32;
     var alpha_99: f32;
     var eta_61: f32;
     var g_9: f32;
@@ -8101,10 +8114,10 @@ fn interfaceWidth(cosTheta_47: f32, alpha_98: f32, eta_60: f32) -> f32 {
     var lean_3: f32;
     var width_5: f32;
 
-    cosTheta_48 = cosTheta_47;
+    cosTheta_50 = cosTheta_49;
     alpha_99 = alpha_98;
     eta_61 = eta_60;
-    let _e44 = cosTheta_48;
+    let _e44 = cosTheta_50;
     let _e48 = eta_61;
     let _e49 = fresnelG(clamp(_e44, 0f, 1f), _e48);
     g_9 = _e49;
@@ -8115,7 +8128,7 @@ fn interfaceWidth(cosTheta_47: f32, alpha_98: f32, eta_60: f32) -> f32 {
     let _e65 = eta_61;
     let _e70 = eta_61;
     let _e71 = g_9;
-    let _e72 = cosTheta_48;
+    let _e72 = cosTheta_50;
     let _e73 = critical_2;
     across_13 = (abs(((_e62 - 1f) * (_e65 + 1f))) / max((_e70 * (_e71 + max(_e72, _e73))), 0.000000000000000000000000000001f));
     let _e81 = g_9;
@@ -8123,7 +8136,7 @@ fn interfaceWidth(cosTheta_47: f32, alpha_98: f32, eta_60: f32) -> f32 {
     cosT = (_e81 / _e82);
     let _e85 = alpha_99;
     let _e86 = critical_2;
-    let _e87 = cosTheta_48;
+    let _e87 = cosTheta_50;
     lean_3 = (_e85 + max((_e86 - _e87), 0f));
     let _e93 = lean_3;
     let _e94 = across_13;
@@ -8149,24 +8162,24 @@ fn interfaceEnergy(texel_5: vec4<f32>) -> InterfaceEnergy {
     return _e47;
 }
 
-fn interfaceLobe(texel_7: vec4<f32>, cosTheta_49: f32, alpha_100: f32, eta_62: f32) -> InterfaceLobe {
+fn interfaceLobe(texel_7: vec4<f32>, cosTheta_51: f32, alpha_100: f32, eta_62: f32) -> InterfaceLobe {
     var texel_8: vec4<f32>;
-    var cosTheta_50: f32;
+    var cosTheta_52: f32;
     var alpha_101: f32;
     var eta_63: f32;
     var width_6: f32;
     var lobe_7: InterfaceLobe;
 
     texel_8 = texel_7;
-    cosTheta_50 = cosTheta_49;
+    cosTheta_52 = cosTheta_51;
     alpha_101 = alpha_100;
     eta_63 = eta_62;
-    let _e46 = cosTheta_50;
+    let _e46 = cosTheta_52;
     let _e47 = alpha_101;
     let _e51 = eta_63;
     let _e52 = interfaceWidth(_e46, clamp(_e47, 0f, 1f), _e51);
     width_6 = _e52;
-    let _e56 = cosTheta_50;
+    let _e56 = cosTheta_52;
     let _e57 = eta_63;
     let _e58 = interfaceSnell(_e56, _e57);
     let _e59 = texel_8;
@@ -8513,15 +8526,15 @@ fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5
     return _e235;
 }
 
-fn engineFaceEnergy(cosTheta_51: f32, alpha_102: f32, eta_64: f32) -> InterfaceEnergy {
-    var cosTheta_52: f32;
+fn engineFaceEnergy(cosTheta_53: f32, alpha_102: f32, eta_64: f32) -> InterfaceEnergy {
+    var cosTheta_54: f32;
     var alpha_103: f32;
     var eta_65: f32;
 
-    cosTheta_52 = cosTheta_51;
+    cosTheta_54 = cosTheta_53;
     alpha_103 = alpha_102;
     eta_65 = eta_64;
-    let _e44 = cosTheta_52;
+    let _e44 = cosTheta_54;
     let _e45 = alpha_103;
     let _e46 = eta_65;
     let _e47 = interfaceEnergyCoordinate(_e44, _e45, _e46);
@@ -8534,7 +8547,7 @@ fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
     var face_11: GlassFace;
     var ior_1: f32;
     var view_34: SceneView;
-    var cosTheta_53: f32;
+    var cosTheta_55: f32;
     var energy_3: f32;
     var texel_9: vec4<f32>;
     var lobe_10: ComposedLobe;
@@ -8545,13 +8558,13 @@ fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
     view_34 = view_33;
     let _e44 = face_11;
     let _e46 = face_11;
-    cosTheta_53 = dot(_e44.wo, _e46.n);
-    let _e50 = cosTheta_53;
+    cosTheta_55 = dot(_e44.wo, _e46.n);
+    let _e50 = cosTheta_55;
     let _e51 = face_11;
     let _e53 = ior_1;
     let _e54 = engineFaceEnergy(_e50, _e51.alpha, _e53);
     energy_3 = _e54.reflected;
-    let _e57 = cosTheta_53;
+    let _e57 = cosTheta_55;
     let _e58 = face_11;
     let _e60 = ior_1;
     let _e61 = fresnelNormalIncidence(_e60);
@@ -8560,7 +8573,7 @@ fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
     let _e64 = lobeCoordinate(_e57, _e58.alpha, _e63);
     let _e65 = engineReflectionLobe(_e64);
     texel_9 = _e65;
-    let _e70 = cosTheta_53;
+    let _e70 = cosTheta_55;
     let _e72 = face_11;
     let _e75 = face_11;
     let _e78 = face_11;
@@ -8712,23 +8725,23 @@ fn internalScatteringEscapes(w_36: InternalScattering, way_7: vec3<f32>) -> vec3
     return ((_e42.passes * _e44) / max((vec3(1f) - (_e48.back * _e50)), vec3(_e53.passes)));
 }
 
-fn engineFaceLobe(lobe_11: i32, cosTheta_54: f32, alpha_106: f32, eta_67: f32) -> InterfaceLobe {
+fn engineFaceLobe(lobe_11: i32, cosTheta_56: f32, alpha_106: f32, eta_67: f32) -> InterfaceLobe {
     var lobe_12: i32;
-    var cosTheta_55: f32;
+    var cosTheta_57: f32;
     var alpha_107: f32;
     var eta_68: f32;
 
     lobe_12 = lobe_11;
-    cosTheta_55 = cosTheta_54;
+    cosTheta_57 = cosTheta_56;
     alpha_107 = alpha_106;
     eta_68 = eta_67;
     let _e47 = lobe_12;
-    let _e49 = cosTheta_55;
+    let _e49 = cosTheta_57;
     let _e50 = alpha_107;
     let _e51 = eta_68;
     let _e52 = interfaceLobeCoordinate(_e47, 2i, _e49, _e50, _e51);
     let _e53 = engineInterfaceLobe(_e52);
-    let _e54 = cosTheta_55;
+    let _e54 = cosTheta_57;
     let _e55 = alpha_107;
     let _e56 = eta_68;
     let _e57 = interfaceLobe(_e53, _e54, _e55, _e56);
@@ -8802,7 +8815,7 @@ fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: 
     var s_20: ExitSurface;
     var k_31: Widening;
     var view_35: ExitView;
-    var cosTheta_56: f32;
+    var cosTheta_58: f32;
     var local_114: f32;
     var energy_6: f32;
     var first_8: InterfaceLobe;
@@ -8820,12 +8833,12 @@ fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: 
     let _e51 = seeExit(_e47, _e48, _e49, _e50);
     view_35 = _e51;
     let _e53 = view_35;
-    cosTheta_56 = max(_e53.cosTheta, 0f);
+    cosTheta_58 = max(_e53.cosTheta, 0f);
     let _e58 = s_20;
     if (abs((_e58.eta - 1f)) < INDEX_MATCHED) {
         local_114 = 1f;
     } else {
-        let _e65 = cosTheta_56;
+        let _e65 = cosTheta_58;
         let _e66 = view_35;
         let _e68 = s_20;
         let _e70 = engineFaceEnergy(_e65, _e66.alphaEnergy, _e68.eta);
@@ -8833,7 +8846,7 @@ fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: 
     }
     let _e73 = local_114;
     energy_6 = _e73;
-    let _e76 = cosTheta_56;
+    let _e76 = cosTheta_58;
     let _e77 = view_35;
     let _e79 = s_20;
     let _e81 = engineFaceLobe(0i, _e76, _e77.alphaShape, _e79.eta);
@@ -8856,7 +8869,7 @@ fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: 
             return _e104;
         }
     }
-    let _e106 = cosTheta_56;
+    let _e106 = cosTheta_58;
     let _e107 = view_35;
     let _e109 = s_20;
     let _e111 = engineFaceLobe(1i, _e106, _e107.alphaShape, _e109.eta);
@@ -8889,7 +8902,7 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     var entered_1: f32;
     var e_9: ConvexExit;
     var passed_1: f32;
-    var cosTheta_57: f32;
+    var cosTheta_59: f32;
     var own_2: InterfaceEnergy;
     var w_38: InternalScattering;
     var reflected: vec3<f32>;
@@ -8910,8 +8923,8 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     passed_1 = passed;
     let _e52 = inner_10;
     let _e54 = e_9;
-    cosTheta_57 = max(dot(_e52.direction, _e54.surface.n), 0f);
-    let _e61 = cosTheta_57;
+    cosTheta_59 = max(dot(_e52.direction, _e54.surface.n), 0f);
+    let _e61 = cosTheta_59;
     let _e62 = body_3;
     let _e64 = e_9;
     let _e67 = engineFaceEnergy(_e61, _e62.backAlpha, _e64.surface.eta);
@@ -8923,7 +8936,7 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     let _e78 = passed_1;
     w_38.back = clamp(((_e73.transmitted + _e75.reflected) - _e78), 0f, 0.99f);
     let _e83 = inner_10;
-    let _e86 = cosTheta_57;
+    let _e86 = cosTheta_59;
     let _e88 = e_9;
     reflected = (_e83.direction - ((2f * _e86) * _e88.surface.n));
     let _e94 = body_3;
@@ -8931,7 +8944,7 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     q_2 = clamp((_e94.thickness * _e96.curvature), 0f, 2f);
     let _e103 = face_15;
     let _e105 = e_9;
-    let _e109 = cosTheta_57;
+    let _e109 = cosTheta_59;
     let _e111 = reflected;
     let _e115 = q_2;
     near_2 = normalize(mix(_e103.n, (_e105.surface.n + ((2f * _e109) * _e111)), vec3((0.5f * _e115))));
@@ -9216,7 +9229,7 @@ fn wayOut(origin_23: vec3<f32>, lobe_16: InnerLobe, eta_69: f32, which_9: FaceLa
     var k_38: i32 = 0i;
     var seen_3: BackFaceExit;
     var before: f32;
-    var cosTheta_58: f32;
+    var cosTheta_60: f32;
     var alpha_108: f32;
 
     origin_24 = origin_23;
@@ -9271,11 +9284,11 @@ fn wayOut(origin_23: vec3<f32>, lobe_16: InnerLobe, eta_69: f32, which_9: FaceLa
             way_10.found = true;
             let _e119 = onward;
             let _e121 = seen_3;
-            cosTheta_58 = dot(_e119.direction, _e121.exit.surface.n);
+            cosTheta_60 = dot(_e119.direction, _e121.exit.surface.n);
             let _e127 = k_38;
             let _e128 = reflections_1;
-            let _e131 = cosTheta_58;
-            let _e134 = cosTheta_58;
+            let _e131 = cosTheta_60;
+            let _e134 = cosTheta_60;
             let _e137 = eta_70;
             let _e138 = eta_70;
             if ((_e127 == _e128) || (((1f - _e131) * (1f + _e134)) < (_e137 * _e138))) {
@@ -9284,7 +9297,7 @@ fn wayOut(origin_23: vec3<f32>, lobe_16: InnerLobe, eta_69: f32, which_9: FaceLa
             let _e142 = seen_3;
             alpha_108 = _e142.exit.surface.alpha;
             let _e148 = onward;
-            let _e151 = cosTheta_58;
+            let _e151 = cosTheta_60;
             let _e153 = seen_3;
             onward.direction = (_e148.direction - ((2f * _e151) * _e153.exit.surface.n));
             let _e160 = onward;
@@ -9293,7 +9306,7 @@ fn wayOut(origin_23: vec3<f32>, lobe_16: InnerLobe, eta_69: f32, which_9: FaceLa
             let _e168 = alpha_108;
             onward.sigma = sqrt(((_e160.sigma * _e162.sigma) + ((4f * _e166) * _e168)));
             let _e173 = onward;
-            let _e175 = cosTheta_58;
+            let _e175 = cosTheta_60;
             let _e176 = alpha_108;
             let _e177 = eta_70;
             let _e178 = engineFaceEnergy(_e175, _e176, _e177);
@@ -9614,19 +9627,19 @@ fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
     return _e155;
 }
 
-fn thinWallCoordinate(lobe_21: i32, lobes_8: i32, cosTheta_59: f32, alpha_109: f32, eta_71: f32) -> vec3<f32> {
+fn thinWallCoordinate(lobe_21: i32, lobes_8: i32, cosTheta_61: f32, alpha_109: f32, eta_71: f32) -> vec3<f32> {
     var lobe_22: i32;
     var lobes_9: i32;
-    var cosTheta_60: f32;
+    var cosTheta_62: f32;
     var alpha_110: f32;
     var eta_72: f32;
 
     lobe_22 = lobe_21;
     lobes_9 = lobes_8;
-    cosTheta_60 = cosTheta_59;
+    cosTheta_62 = cosTheta_61;
     alpha_110 = alpha_109;
     eta_72 = eta_71;
-    let _e53 = cosTheta_60;
+    let _e53 = cosTheta_62;
     let _e57 = tableCoordinate(sqrt(max(_e53, 0f)), THIN_WALL_COSINES);
     let _e58 = alpha_110;
     let _e62 = lobe_22;
@@ -9638,8 +9651,8 @@ fn thinWallCoordinate(lobe_21: i32, lobes_8: i32, cosTheta_59: f32, alpha_109: f
     return vec3<f32>(_e57, _e64, _e67);
 }
 
-fn thinWallWidth(cosTheta_61: f32, alpha_111: f32, eta_73: f32) -> f32 {
-    var cosTheta_62: f32;
+fn thinWallWidth(cosTheta_63: f32, alpha_111: f32, eta_73: f32) -> f32 {
+    var cosTheta_64: f32;
     var alpha_112: f32;
     var eta_74: f32;
     var c_33: f32;
@@ -9648,10 +9661,10 @@ fn thinWallWidth(cosTheta_61: f32, alpha_111: f32, eta_73: f32) -> f32 {
     var across_15: f32;
     var width_7: f32;
 
-    cosTheta_62 = cosTheta_61;
+    cosTheta_64 = cosTheta_63;
     alpha_112 = alpha_111;
     eta_74 = eta_73;
-    let _e49 = cosTheta_62;
+    let _e49 = cosTheta_64;
     c_33 = clamp(_e49, 0f, 1f);
     let _e54 = eta_74;
     if (_e54 < 1f) {
@@ -9719,9 +9732,9 @@ fn thinWallLaterSpread(eta_75: f32) -> f32 {
     return sqrt(((_e57 * _e58) + ((0.5f * (_e61 - 1f)) * (_e65 - 1f))));
 }
 
-fn thinWallLobe(texel_12: vec4<f32>, cosTheta_63: f32, alpha_113: f32, eta_77: f32) -> InterfaceLobe {
+fn thinWallLobe(texel_12: vec4<f32>, cosTheta_65: f32, alpha_113: f32, eta_77: f32) -> InterfaceLobe {
     var texel_13: vec4<f32>;
-    var cosTheta_64: f32;
+    var cosTheta_66: f32;
     var alpha_114: f32;
     var eta_78: f32;
     var c_34: f32;
@@ -9729,10 +9742,10 @@ fn thinWallLobe(texel_12: vec4<f32>, cosTheta_63: f32, alpha_113: f32, eta_77: f
     var lobe_23: InterfaceLobe;
 
     texel_13 = texel_12;
-    cosTheta_64 = cosTheta_63;
+    cosTheta_66 = cosTheta_65;
     alpha_114 = alpha_113;
     eta_78 = eta_77;
-    let _e51 = cosTheta_64;
+    let _e51 = cosTheta_66;
     c_34 = clamp(_e51, 0f, 1f);
     let _e56 = c_34;
     let _e57 = alpha_114;
@@ -9788,7 +9801,7 @@ fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, 
     var local_123: f32;
     var passed_2: f32;
     var aside: ComposedLobe;
-    var cosTheta_65: f32;
+    var cosTheta_67: f32;
     var alpha_115: f32;
     var weight_3: f32;
     var mirrored: vec3<f32>;
@@ -9898,18 +9911,18 @@ fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, 
     second_2.passed = exp((-(_e213.exit.path) * _e217.attenuation));
     let _e221 = outer;
     let _e223 = front_1;
-    cosTheta_65 = dot(_e221.direction, _e223.exit.surface.n);
+    cosTheta_67 = dot(_e221.direction, _e223.exit.surface.n);
     let _e229 = front_1;
     alpha_115 = _e229.exit.surface.alpha;
     let _e234 = pair_6;
     let _e237 = pair_6;
-    let _e241 = cosTheta_65;
+    let _e241 = cosTheta_67;
     let _e242 = alpha_115;
     let _e243 = body_17;
     let _e245 = engineFaceEnergy(_e241, _e242, _e243.ior);
     weight_3 = ((_e234.core.weight + _e237.rest.weight) * _e245.reflected);
     let _e249 = outer;
-    let _e252 = cosTheta_65;
+    let _e252 = cosTheta_67;
     let _e254 = front_1;
     mirrored = (_e249.direction - ((2f * _e252) * _e254.exit.surface.n));
     let _e262 = weight_3;
