@@ -11,7 +11,7 @@ public:
   void begin(double full_ms);
 
   // The part of the full width and height to draw while something moves: 1, or less by steps of the root of two (so that targets
-  // are rarely made anew), not below an eighth.
+  // are rarely created again), not below an eighth.
   double scale() const;
   // What the last frame at scale() took. A step down at once where it was too slow, as many as its pixels say; a step up when
   // five in a row say that the larger picture would be in time.

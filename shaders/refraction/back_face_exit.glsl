@@ -4,9 +4,7 @@
 // Returns  backFaceExit: surface and path as convexExit; found false: the faces show none that the ray meets, the rest is 0.
 //          surface.n along the ray.
 //          engineFace, an engine's to supply: of a layer of glass at a place, nearest texel: xy octEncode of its outward normal,
-//          z metres along the camera's axis, w its body's number, from 1, plus half of alpha; 0 where there is no face. Layers:
-//          BACK_FACES the nearest back faces; two_pair_refraction.glsl alone asks for SECOND_FRONTS, the nearest front faces behind
-//          those, and SECOND_BACKS, the nearest back faces behind these.
+//          z metres along the camera's axis, w its body's number, from 1, plus half of alpha; 0 where there is no face.
 // Source   [Wyman05]; Newton's steps on the planes that texels show, as exit_search.glsl's.
 // Limits   one back face: of a body that is not convex the ray leaves by the nearest. Perspective cameras only. At most 8 reads.
 #ifndef GG_REFRACTION_BACK_FACE_EXIT_GLSL
@@ -18,9 +16,9 @@
 
 vec4 engineFace(int layer, vec2 at);
 
-const int BACK_FACES = 0;
-const int SECOND_FRONTS = 1;
-const int SECOND_BACKS = 2;
+const int BACK_FACES = 0;    // the nearest
+const int SECOND_FRONTS = 1; // the nearest front faces behind those: two_pair_refraction.glsl alone asks for them,
+const int SECOND_BACKS = 2;  // and for the nearest back faces behind these
 const int BACK_FACE_STEPS = 6;
 
 // Which faces a ray may meet.
@@ -119,13 +117,9 @@ BackFaceExit backFaceExit(vec3 origin, vec3 direction, float first, float eta, F
     BackFace face = backFaceAt(at, p, clip.w, which, view);
     float met = exitPlane(origin, direction, face.point, face.n);
     bool meets = face.exists && dot(direction, face.n) > 0.0 && met > 0.0;
-    if (k == 0 && !meets) { // behind the pixel is a face that the ray does not meet: as deep as the body is there
-      if (!face.exists) return none;
-      t = length(face.point - p);
-      continue;
-    }
-    if (!meets) { // past the outline
-      t = 0.5 * (inside + t);
+    if (k == 0 && !face.exists) return none;
+    if (!meets) { // at first: as far as the body is deep behind the pixel; then: back from past the outline
+      t = k == 0 ? length(face.point - p) : 0.5 * (inside + t);
       continue;
     }
     vec4 there = view.clipFromWorld * vec4(origin + met * direction, 1.0);

@@ -1,4 +1,4 @@
-// Made by shaders/wgsl/make of 5fabe3b71b68f156f85ac2830f84f6cac84881571553e6cb6e6ca39e01dc0678: do not edit.
+// Made by shaders/wgsl/make of b90a0b30bd8fe5f5dd81b592715e2c9a45f84959ca2a1a5aebab6f34b5bb9627: do not edit.
 struct Tilt {
     p: f32,
     z: f32,
@@ -7441,6 +7441,7 @@ fn backFaceExit(origin_14: vec3<f32>, direction_24: vec3<f32>, first_6: f32, eta
     var face_9: BackFace;
     var met_4: f32;
     var meets: bool;
+    var local_88: f32;
     var there_1: vec4<f32>;
     var hit_2: vec2<f32>;
     var moved: vec2<f32>;
@@ -7499,76 +7500,76 @@ fn backFaceExit(origin_14: vec3<f32>, direction_24: vec3<f32>, first_6: f32, eta
             let _e108 = met_4;
             meets = ((_e99.exists && (dot(_e101, _e102.n) > 0f)) && (_e108 > 0f));
             let _e113 = k_25;
-            let _e116 = meets;
-            if ((_e113 == 0i) && !(_e116)) {
+            let _e116 = face_9;
+            if ((_e113 == 0i) && !(_e116.exists)) {
+                let _e120 = none_1;
+                return _e120;
+            }
+            let _e121 = meets;
+            if !(_e121) {
                 {
-                    let _e119 = face_9;
-                    if !(_e119.exists) {
-                        let _e122 = none_1;
-                        return _e122;
+                    let _e123 = k_25;
+                    if (_e123 == 0i) {
+                        let _e126 = face_9;
+                        let _e128 = p_16;
+                        local_88 = length((_e126.point - _e128));
+                    } else {
+                        let _e132 = inside_2;
+                        let _e133 = t_29;
+                        local_88 = (0.5f * (_e132 + _e133));
                     }
-                    let _e123 = face_9;
-                    let _e125 = p_16;
-                    t_29 = length((_e123.point - _e125));
+                    let _e137 = local_88;
+                    t_29 = _e137;
                     continue;
                 }
             }
-            let _e128 = meets;
-            if !(_e128) {
+            let _e138 = view_26;
+            let _e140 = origin_15;
+            let _e141 = met_4;
+            let _e142 = direction_25;
+            let _e144 = (_e140 + (_e141 * _e142));
+            there_1 = (_e138.clipFromWorld * vec4<f32>(_e144.x, _e144.y, _e144.z, 1f));
+            let _e152 = there_1;
+            let _e153 = view_26;
+            let _e155 = scenePixel(_e152, _e153.size);
+            hit_2 = _e155;
+            let _e157 = hit_2;
+            let _e158 = at_24;
+            moved = (_e157 - _e158);
+            let _e161 = there_1;
+            let _e165 = moved;
+            let _e166 = moved;
+            if ((_e161.w > 0f) && (dot(_e165, _e166) < 0.5f)) {
                 {
-                    let _e131 = inside_2;
-                    let _e132 = t_29;
-                    t_29 = (0.5f * (_e131 + _e132));
-                    continue;
+                    let _e171 = face_9;
+                    let _e172 = at_24;
+                    let _e173 = hit_2;
+                    let _e174 = p_16;
+                    let _e175 = clip_3;
+                    let _e177 = which_7;
+                    let _e178 = origin_15;
+                    let _e179 = direction_25;
+                    let _e180 = view_26;
+                    let _e181 = backFaceBetween(_e171, _e172, _e173, _e174, _e175.w, _e177, _e178, _e179, _e180);
+                    found_3 = _e181;
+                    let _e186 = eta_47;
+                    found_3.exit.surface.eta = _e186;
+                    let _e187 = found_3;
+                    return _e187;
                 }
             }
-            let _e135 = view_26;
-            let _e137 = origin_15;
-            let _e138 = met_4;
-            let _e139 = direction_25;
-            let _e141 = (_e137 + (_e138 * _e139));
-            there_1 = (_e135.clipFromWorld * vec4<f32>(_e141.x, _e141.y, _e141.z, 1f));
-            let _e149 = there_1;
-            let _e150 = view_26;
-            let _e152 = scenePixel(_e149, _e150.size);
-            hit_2 = _e152;
-            let _e154 = hit_2;
-            let _e155 = at_24;
-            moved = (_e154 - _e155);
-            let _e158 = there_1;
-            let _e162 = moved;
-            let _e163 = moved;
-            if ((_e158.w > 0f) && (dot(_e162, _e163) < 0.5f)) {
-                {
-                    let _e168 = face_9;
-                    let _e169 = at_24;
-                    let _e170 = hit_2;
-                    let _e171 = p_16;
-                    let _e172 = clip_3;
-                    let _e174 = which_7;
-                    let _e175 = origin_15;
-                    let _e176 = direction_25;
-                    let _e177 = view_26;
-                    let _e178 = backFaceBetween(_e168, _e169, _e170, _e171, _e172.w, _e174, _e175, _e176, _e177);
-                    found_3 = _e178;
-                    let _e183 = eta_47;
-                    found_3.exit.surface.eta = _e183;
-                    let _e184 = found_3;
-                    return _e184;
-                }
-            }
-            let _e185 = t_29;
-            inside_2 = _e185;
-            let _e186 = met_4;
-            t_29 = _e186;
+            let _e188 = t_29;
+            inside_2 = _e188;
+            let _e189 = met_4;
+            t_29 = _e189;
         }
         continuing {
             let _e53 = k_25;
             k_25 = (_e53 + 1i);
         }
     }
-    let _e187 = none_1;
-    return _e187;
+    let _e190 = none_1;
+    return _e190;
 }
 
 fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: f32, sigma_8: f32, weight: f32, energy_1: f32) -> ComposedLobe {
@@ -7586,7 +7587,7 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     var t_30: vec3<f32>;
     var d_18: vec2<f32>;
     var l_4: vec2<f32>;
-    var local_88: f32;
+    var local_89: f32;
     var h_15: vec2<f32>;
     var bend: f32;
     var ci: f32;
@@ -7599,7 +7600,7 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     var sigma2_: f32;
     var inPlane: f32;
     var outOfPlane: f32;
-    var local_89: f32;
+    var local_90: f32;
     var carriedInPlane: f32;
 
     inner_3 = inner_2;
@@ -7653,11 +7654,11 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     let _e123 = l_4;
     let _e125 = ratio_1;
     if (_e125 < 1f) {
-        local_88 = -1f;
+        local_89 = -1f;
     } else {
-        local_88 = 1f;
+        local_89 = 1f;
     }
-    let _e132 = local_88;
+    let _e132 = local_89;
     h_15 = (((_e120 * _e121) - _e123) * _e132);
     let _e135 = h_15;
     bend = max(length(_e135), 0.00005f);
@@ -7723,12 +7724,12 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     let _e275 = view_28;
     if (_e275.swing < 0f) {
         let _e279 = rays_1;
-        local_89 = -(sqrt(_e279));
+        local_90 = -(sqrt(_e279));
     } else {
         let _e282 = rays_1;
-        local_89 = sqrt(_e282);
+        local_90 = sqrt(_e282);
     }
-    let _e285 = local_89;
+    let _e285 = local_90;
     let _e286 = seen_1;
     let _e288 = view_28;
     let _e290 = inner_3;
@@ -7747,15 +7748,15 @@ fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
     var a_34: ComposedLobe;
     var b_24: ComposedLobe;
     var weight_2: f32;
-    var local_90: f32;
+    var local_91: f32;
     var share_4: f32;
     var apart_1: vec3<f32>;
     var mean_2: vec3<f32>;
     var inner2_: f32;
     var both: f32;
     var lobe_4: ComposedLobe;
-    var local_91: vec3<f32>;
-    var local_92: f32;
+    var local_92: vec3<f32>;
+    var local_93: f32;
 
     a_34 = a_33;
     b_24 = b_23;
@@ -7766,11 +7767,11 @@ fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
     if (_e42 > 0f) {
         let _e45 = b_24;
         let _e47 = weight_2;
-        local_90 = (_e45.weight / _e47);
+        local_91 = (_e45.weight / _e47);
     } else {
-        local_90 = 0f;
+        local_91 = 0f;
     }
-    let _e51 = local_90;
+    let _e51 = local_91;
     share_4 = _e51;
     let _e53 = b_24;
     let _e55 = a_34;
@@ -7797,12 +7798,12 @@ fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
     let _e97 = mean_2;
     if (dot(_e96, _e97) > 0.000001f) {
         let _e101 = mean_2;
-        local_91 = normalize(_e101);
+        local_92 = normalize(_e101);
     } else {
         let _e103 = a_34;
-        local_91 = _e103.direction;
+        local_92 = _e103.direction;
     }
-    let _e106 = local_91;
+    let _e106 = local_92;
     lobe_4.direction = _e106;
     let _e108 = a_34;
     let _e110 = a_34;
@@ -7820,11 +7821,11 @@ fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
     if (_e137.inner > 0f) {
         let _e141 = both;
         let _e142 = lobe_4;
-        local_92 = (_e141 / _e142.inner);
+        local_93 = (_e141 / _e142.inner);
     } else {
-        local_92 = 0f;
+        local_93 = 0f;
     }
-    let _e147 = local_92;
+    let _e147 = local_93;
     lobe_4.carried = _e147;
     let _e148 = lobe_4;
     return _e148;
@@ -7882,14 +7883,14 @@ fn interfaceCosineAxis(cosTheta_41: f32, eta_48: f32) -> f32 {
     var c_31: f32;
     var critical: f32;
     var past: bool;
-    var local_93: f32;
+    var local_94: f32;
     var along_16: f32;
     var grazing_1: bool;
-    var local_94: f32;
     var local_95: f32;
-    var x_26: f32;
     var local_96: f32;
+    var x_26: f32;
     var local_97: f32;
+    var local_98: f32;
 
     cosTheta_42 = cosTheta_41;
     eta_49 = eta_48;
@@ -7910,14 +7911,14 @@ fn interfaceCosineAxis(cosTheta_41: f32, eta_48: f32) -> f32 {
     if _e65 {
         let _e66 = c_31;
         let _e67 = critical;
-        local_93 = (_e66 / _e67);
+        local_94 = (_e66 / _e67);
     } else {
         let _e69 = c_31;
         let _e70 = critical;
         let _e73 = critical;
-        local_93 = ((_e69 - _e70) / (1f - _e73));
+        local_94 = ((_e69 - _e70) / (1f - _e73));
     }
-    let _e77 = local_93;
+    let _e77 = local_94;
     along_16 = _e77;
     let _e79 = past;
     let _e80 = along_16;
@@ -7927,36 +7928,36 @@ fn interfaceCosineAxis(cosTheta_41: f32, eta_48: f32) -> f32 {
         let _e87 = grazing_1;
         if _e87 {
             let _e88 = along_16;
-            local_94 = _e88;
+            local_95 = _e88;
         } else {
             let _e90 = along_16;
-            local_94 = (1f - _e90);
+            local_95 = (1f - _e90);
         }
-        let _e93 = local_94;
-        local_95 = (0.125f * _e93);
+        let _e93 = local_95;
+        local_96 = (0.125f * _e93);
     } else {
         let _e96 = along_16;
-        local_95 = (0.25f * _e96);
+        local_96 = (0.25f * _e96);
     }
-    let _e99 = local_95;
+    let _e99 = local_96;
     x_26 = sqrt(_e99);
     let _e102 = grazing_1;
     if _e102 {
         let _e103 = x_26;
-        local_97 = _e103;
+        local_98 = _e103;
     } else {
         let _e104 = past;
         if _e104 {
             let _e106 = x_26;
-            local_96 = (0.5f - _e106);
+            local_97 = (0.5f - _e106);
         } else {
             let _e109 = x_26;
-            local_96 = (0.5f + _e109);
+            local_97 = (0.5f + _e109);
         }
-        let _e112 = local_96;
-        local_97 = _e112;
+        let _e112 = local_97;
+        local_98 = _e112;
     }
-    let _e114 = local_97;
+    let _e114 = local_98;
     return _e114;
 }
 
@@ -7965,7 +7966,7 @@ fn interfaceCosineAt(x_27: f32, eta_50: f32) -> f32 {
     var eta_51: f32;
     var critical_1: f32;
     var away: f32;
-    var local_98: f32;
+    var local_99: f32;
 
     x_28 = x_27;
     eta_51 = eta_50;
@@ -7993,31 +7994,31 @@ fn interfaceCosineAt(x_27: f32, eta_50: f32) -> f32 {
     if (_e76 < 0.25f) {
         let _e80 = x_28;
         let _e82 = x_28;
-        local_98 = ((8f * _e80) * _e82);
+        local_99 = ((8f * _e80) * _e82);
     } else {
         let _e86 = away;
         let _e88 = away;
-        local_98 = (1f - ((8f * _e86) * _e88));
+        local_99 = (1f - ((8f * _e86) * _e88));
     }
-    let _e92 = local_98;
+    let _e92 = local_99;
     return (_e75 * _e92);
 }
 
 fn interfaceEtaAxis(eta_52: f32) -> f32 {
     var eta_53: f32;
-    var local_99: f32;
+    var local_100: f32;
     var n_49: f32;
 
     eta_53 = eta_52;
     let _e40 = eta_53;
     if (_e40 < 1f) {
         let _e44 = eta_53;
-        local_99 = (1f / max(_e44, 0.01f));
+        local_100 = (1f / max(_e44, 0.01f));
     } else {
         let _e48 = eta_53;
-        local_99 = _e48;
+        local_100 = _e48;
     }
-    let _e50 = local_99;
+    let _e50 = local_100;
     n_49 = clamp(_e50, 1f, INTERFACE_GREATEST_ETA);
     let _e54 = n_49;
     let _e57 = n_49;
@@ -8028,7 +8029,7 @@ fn interfaceEnergyCoordinate(cosTheta_43: f32, alpha_94: f32, eta_54: f32) -> ve
     var cosTheta_44: f32;
     var alpha_95: f32;
     var eta_55: f32;
-    var local_100: i32;
+    var local_101: i32;
 
     cosTheta_44 = cosTheta_43;
     alpha_95 = alpha_94;
@@ -8043,11 +8044,11 @@ fn interfaceEnergyCoordinate(cosTheta_43: f32, alpha_94: f32, eta_54: f32) -> ve
     let _e58 = interfaceEtaAxis(_e57);
     let _e59 = eta_55;
     if (_e59 < 1f) {
-        local_100 = 1i;
+        local_101 = 1i;
     } else {
-        local_100 = 0i;
+        local_101 = 0i;
     }
-    let _e65 = local_100;
+    let _e65 = local_101;
     let _e67 = blockCoordinate(_e58, INTERFACE_SLICES, _e65, 2i);
     return vec3<f32>(_e49, _e56, _e67);
 }
@@ -8058,7 +8059,7 @@ fn interfaceLobeCoordinate(lobe_5: i32, lobes_6: i32, cosTheta_45: f32, alpha_96
     var cosTheta_46: f32;
     var alpha_97: f32;
     var eta_57: f32;
-    var local_101: i32;
+    var local_102: i32;
 
     lobe_6 = lobe_5;
     lobes_7 = lobes_6;
@@ -8077,11 +8078,11 @@ fn interfaceLobeCoordinate(lobe_5: i32, lobes_6: i32, cosTheta_45: f32, alpha_96
     let _e62 = interfaceEtaAxis(_e61);
     let _e63 = eta_57;
     if (_e63 < 1f) {
-        local_101 = 1i;
+        local_102 = 1i;
     } else {
-        local_101 = 0i;
+        local_102 = 0i;
     }
-    let _e69 = local_101;
+    let _e69 = local_102;
     let _e71 = blockCoordinate(_e62, INTERFACE_SLICES, _e69, 2i);
     return vec3<f32>(_e53, _e60, _e71);
 }
@@ -8199,7 +8200,7 @@ fn interfaceLobeDirection(wo_56: vec3<f32>, n_50: vec3<f32>, angle_2: f32) -> ve
     var n_51: vec3<f32>;
     var angle_3: f32;
     var across_14: vec3<f32>;
-    var local_102: vec3<f32>;
+    var local_103: vec3<f32>;
 
     wo_57 = wo_56;
     n_51 = n_50;
@@ -8215,11 +8216,11 @@ fn interfaceLobeDirection(wo_56: vec3<f32>, n_50: vec3<f32>, angle_2: f32) -> ve
         let _e58 = n_51;
         let _e59 = n_51;
         if (abs(_e59.x) < 0.7f) {
-            local_102 = vec3<f32>(1f, 0f, 0f);
+            local_103 = vec3<f32>(1f, 0f, 0f);
         } else {
-            local_102 = vec3<f32>(0f, 1f, 0f);
+            local_103 = vec3<f32>(0f, 1f, 0f);
         }
-        let _e73 = local_102;
+        let _e73 = local_103;
         across_14 = cross(_e58, _e73);
     }
     let _e75 = angle_3;
@@ -8366,25 +8367,25 @@ fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5
     var met_6: SceneIntersection;
     var view_32: SceneView;
     var ends: bool;
-    var local_103: vec3<f32>;
+    var local_104: vec3<f32>;
     var place: vec3<f32>;
-    var local_104: f32;
+    var local_105: f32;
     var clip_4: vec4<f32>;
     var share_5: f32 = 0f;
     var near_1: vec3<f32> = vec3(0f);
-    var local_105: vec3<f32>;
+    var local_106: vec3<f32>;
     var fromEye: vec3<f32>;
     var range_2: f32;
     var metres: f32;
-    var local_106: f32;
+    var local_107: f32;
     var pixels: f32;
     var at_27: vec2<f32>;
     var outside_2: vec2<f32>;
     var far_1: f32;
-    var local_107: f32;
+    var local_108: f32;
     var shown: vec4<f32>;
-    var local_108: vec3<f32>;
     var local_109: vec3<f32>;
+    var local_110: vec3<f32>;
 
     lobe_9 = lobe_8;
     origin_17 = origin_16;
@@ -8398,22 +8399,22 @@ fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5
         let _e54 = origin_17;
         let _e55 = met_6;
         let _e57 = lobe_9;
-        local_103 = (_e54 + (_e55.metres * _e57.direction));
+        local_104 = (_e54 + (_e55.metres * _e57.direction));
     } else {
         let _e61 = lobe_9;
-        local_103 = _e61.direction;
+        local_104 = _e61.direction;
     }
-    let _e64 = local_103;
+    let _e64 = local_104;
     place = _e64;
     let _e66 = view_32;
     let _e68 = place;
     let _e69 = ends;
     if _e69 {
-        local_104 = 1f;
+        local_105 = 1f;
     } else {
-        local_104 = 0f;
+        local_105 = 0f;
     }
-    let _e73 = local_104;
+    let _e73 = local_105;
     clip_4 = (_e66.clipFromWorld * vec4<f32>(_e68.x, _e68.y, _e68.z, _e73));
     let _e85 = met_6;
     let _e87 = clip_4;
@@ -8423,12 +8424,12 @@ fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5
             if _e92 {
                 let _e93 = place;
                 let _e94 = view_32;
-                local_105 = (_e93 - _e94.eye);
+                local_106 = (_e93 - _e94.eye);
             } else {
                 let _e97 = lobe_9;
-                local_105 = _e97.direction;
+                local_106 = _e97.direction;
             }
-            let _e100 = local_105;
+            let _e100 = local_106;
             fromEye = _e100;
             let _e102 = fromEye;
             range_2 = length(_e102);
@@ -8445,12 +8446,12 @@ fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5
             if _e123 {
                 let _e124 = metres;
                 let _e125 = range_2;
-                local_106 = (_e124 / _e125);
+                local_107 = (_e124 / _e125);
             } else {
                 let _e127 = lobe_9;
-                local_106 = _e127.sigma;
+                local_107 = _e127.sigma;
             }
-            let _e130 = local_106;
+            let _e130 = local_107;
             let _e131 = view_32;
             let _e133 = clip_4;
             let _e135 = range_2;
@@ -8472,15 +8473,15 @@ fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5
                 let _e165 = far_1;
                 let _e167 = view_32;
                 let _e170 = view_32;
-                local_107 = exp(((-0.5f * _e165) / (_e167.size.y * _e170.size.y)));
+                local_108 = exp(((-0.5f * _e165) / (_e167.size.y * _e170.size.y)));
             } else {
                 let _e176 = at_27;
                 let _e177 = view_32;
                 let _e179 = pixels;
                 let _e180 = pyramidCoverage(_e176, _e177.size, _e179);
-                local_107 = _e180;
+                local_108 = _e180;
             }
-            let _e182 = local_107;
+            let _e182 = local_108;
             share_5 = _e182;
             let _e183 = share_5;
             if (_e183 > 0f) {
@@ -8500,11 +8501,11 @@ fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5
                         let _e208 = shown;
                         let _e210 = shown;
                         let _e213 = shown;
-                        local_108 = (vec3<f32>(_e206.x, _e208.y, _e210.z) / vec3(_e213.w));
+                        local_109 = (vec3<f32>(_e206.x, _e208.y, _e210.z) / vec3(_e213.w));
                     } else {
-                        local_108 = vec3(0f);
+                        local_109 = vec3(0f);
                     }
-                    let _e220 = local_108;
+                    let _e220 = local_109;
                     near_1 = _e220;
                 }
             }
@@ -8513,16 +8514,16 @@ fn lobeRadiance(lobe_8: ComposedLobe, origin_16: vec3<f32>, inside_5: f32, met_5
     let _e221 = share_5;
     if (_e221 >= 0.999f) {
         let _e224 = near_1;
-        local_109 = _e224;
+        local_110 = _e224;
     } else {
         let _e225 = lobe_9;
         let _e227 = lobe_9;
         let _e229 = engineEnvironment(_e225.direction, _e227.sigma);
         let _e230 = near_1;
         let _e231 = share_5;
-        local_109 = mix(_e229, _e230, vec3(_e231));
+        local_110 = mix(_e229, _e230, vec3(_e231));
     }
-    let _e235 = local_109;
+    let _e235 = local_110;
     return _e235;
 }
 
@@ -8630,7 +8631,7 @@ fn internalScatteringPasses(ior_2: f32) -> f32 {
     var ior_3: f32;
     var eta_66: f32;
     var passes: f32;
-    var local_110: f32;
+    var local_111: f32;
 
     ior_3 = ior_2;
     let _e40 = ior_3;
@@ -8646,12 +8647,12 @@ fn internalScatteringPasses(ior_2: f32) -> f32 {
         let _e61 = passes;
         let _e62 = ior_3;
         let _e63 = ior_3;
-        local_110 = (_e61 / (_e62 * _e63));
+        local_111 = (_e61 / (_e62 * _e63));
     } else {
         let _e66 = passes;
-        local_110 = _e66;
+        local_111 = _e66;
     }
-    let _e68 = local_110;
+    let _e68 = local_111;
     return _e68;
 }
 
@@ -8756,9 +8757,9 @@ fn engineEnteringLobe(lobe_13: i32, face_12: GlassFace, ior_6: f32, energy_4: f3
     var read_: InterfaceLobe;
     var inner_6: InnerLobe;
     var matched: bool;
-    var local_111: vec3<f32>;
-    var local_112: f32;
+    var local_112: vec3<f32>;
     var local_113: f32;
+    var local_114: f32;
 
     lobe_14 = lobe_13;
     face_13 = face_12;
@@ -8776,34 +8777,34 @@ fn engineEnteringLobe(lobe_13: i32, face_12: GlassFace, ior_6: f32, energy_4: f3
     let _e66 = matched;
     if _e66 {
         let _e67 = face_13;
-        local_111 = -(_e67.wo);
+        local_112 = -(_e67.wo);
     } else {
         let _e70 = face_13;
         let _e72 = face_13;
         let _e74 = read_;
         let _e76 = interfaceLobeDirection(_e70.wo, _e72.n, _e74.angle);
-        local_111 = _e76;
+        local_112 = _e76;
     }
-    let _e78 = local_111;
+    let _e78 = local_112;
     inner_6.direction = _e78;
     let _e80 = matched;
     if _e80 {
-        local_112 = 0f;
+        local_113 = 0f;
     } else {
         let _e82 = read_;
-        local_112 = _e82.sigma;
+        local_113 = _e82.sigma;
     }
-    let _e85 = local_112;
+    let _e85 = local_113;
     inner_6.sigma = _e85;
     let _e87 = read_;
     let _e89 = matched;
     if _e89 {
-        local_113 = 1f;
+        local_114 = 1f;
     } else {
         let _e91 = energy_5;
-        local_113 = _e91;
+        local_114 = _e91;
     }
-    let _e93 = local_113;
+    let _e93 = local_114;
     inner_6.weight = (_e87.weight * _e93);
     let _e95 = inner_6;
     return _e95;
@@ -8816,7 +8817,7 @@ fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: 
     var k_31: Widening;
     var view_35: ExitView;
     var cosTheta_58: f32;
-    var local_114: f32;
+    var local_115: f32;
     var energy_6: f32;
     var first_8: InterfaceLobe;
     var one_1: ComposedPair;
@@ -8836,15 +8837,15 @@ fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: 
     cosTheta_58 = max(_e53.cosTheta, 0f);
     let _e58 = s_20;
     if (abs((_e58.eta - 1f)) < INDEX_MATCHED) {
-        local_114 = 1f;
+        local_115 = 1f;
     } else {
         let _e65 = cosTheta_58;
         let _e66 = view_35;
         let _e68 = s_20;
         let _e70 = engineFaceEnergy(_e65, _e66.alphaEnergy, _e68.eta);
-        local_114 = _e70.transmitted;
+        local_115 = _e70.transmitted;
     }
-    let _e73 = local_114;
+    let _e73 = local_115;
     energy_6 = _e73;
     let _e76 = cosTheta_58;
     let _e77 = view_35;
@@ -8911,7 +8912,7 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     var outward_3: vec3<f32>;
     var spread_5: f32;
     var way_9: vec3<f32>;
-    var local_115: vec3<f32>;
+    var local_116: vec3<f32>;
     var direction_26: vec3<f32>;
     var seen_2: vec3<f32>;
 
@@ -8966,12 +8967,12 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     let _e157 = outward_3;
     if (dot(_e156, _e157) > 0f) {
         let _e161 = outward_3;
-        local_115 = _e161;
+        local_116 = _e161;
     } else {
         let _e162 = near_2;
-        local_115 = _e162;
+        local_116 = _e162;
     }
-    let _e164 = local_115;
+    let _e164 = local_116;
     direction_26 = _e164;
     let _e166 = direction_26;
     let _e167 = spread_5;
@@ -9031,7 +9032,7 @@ fn leaveGlass(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, coreExit: 
     var tailExit_1: ConvexExit;
     var k_33: Widening;
     var leaving: Leaving;
-    var local_116: f32;
+    var local_117: f32;
     var bent: f32;
 
     face_19 = face_18;
@@ -9050,11 +9051,11 @@ fn leaveGlass(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, coreExit: 
         let _e67 = leaving;
         let _e71 = leaving;
         let _e76 = e_12;
-        local_116 = ((_e67.pair.core.weight + _e71.pair.rest.weight) / _e76.core.weight);
+        local_117 = ((_e67.pair.core.weight + _e71.pair.rest.weight) / _e76.core.weight);
     } else {
-        local_116 = 0f;
+        local_117 = 0f;
     }
-    let _e82 = local_116;
+    let _e82 = local_117;
     leaving.passed = _e82;
     let _e83 = e_12;
     if (_e83.tail.weight > 0f) {
@@ -9517,7 +9518,7 @@ fn lobeSide(direction_27: vec3<f32>) -> vec3<f32> {
     var direction_28: vec3<f32>;
     var level_3: vec3<f32>;
     var s_21: f32;
-    var local_117: vec3<f32>;
+    var local_118: vec3<f32>;
 
     direction_28 = direction_27;
     let _e42 = direction_28;
@@ -9530,11 +9531,11 @@ fn lobeSide(direction_27: vec3<f32>) -> vec3<f32> {
     if (_e54 > 0f) {
         let _e57 = level_3;
         let _e58 = s_21;
-        local_117 = (_e57 * inverseSqrt(_e58));
+        local_118 = (_e57 * inverseSqrt(_e58));
     } else {
-        local_117 = vec3<f32>(1f, 0f, 0f);
+        local_118 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e66 = local_117;
+    let _e66 = local_118;
     return _e66;
 }
 
@@ -9548,11 +9549,11 @@ fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
     var off_3: vec3<f32>;
     var turn_2: f32;
     var p_17: LobeStratum;
-    var local_118: f32;
     var local_119: f32;
+    var local_120: f32;
     var together: f32;
     var rest_5: f32;
-    var local_120: f32;
+    var local_121: f32;
 
     direction_30 = direction_29;
     sigma_15 = sigma_14;
@@ -9577,11 +9578,11 @@ fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
     if (_e76 > 0f) {
         let _e79 = turn_2;
         let _e81 = turn_2;
-        local_118 = (sin(_e79) / _e81);
+        local_119 = (sin(_e79) / _e81);
     } else {
-        local_118 = 1f;
+        local_119 = 1f;
     }
-    let _e85 = local_118;
+    let _e85 = local_119;
     let _e86 = sigma_15;
     let _e88 = off_3;
     p_17.direction = ((cos(_e72) * _e74) + ((_e85 * _e86) * _e88));
@@ -9592,11 +9593,11 @@ fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
     if (_e96 > 0f) {
         let _e99 = carried_3;
         let _e100 = sigma_15;
-        local_119 = clamp((_e99 / _e100), -1f, 1f);
+        local_120 = clamp((_e99 / _e100), -1f, 1f);
     } else {
-        local_119 = 0f;
+        local_120 = 0f;
     }
-    let _e108 = local_119;
+    let _e108 = local_120;
     together = _e108;
     let _e111 = together;
     let _e112 = inner_12;
@@ -9617,11 +9618,11 @@ fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
         let _e144 = part_3;
         let _e147 = part_3;
         let _e150 = rest_5;
-        local_120 = ((((_e141 * _e142) * _e144.z) * _e147.z) / _e150);
+        local_121 = ((((_e141 * _e142) * _e144.z) * _e147.z) / _e150);
     } else {
-        local_120 = 0f;
+        local_121 = 0f;
     }
-    let _e154 = local_120;
+    let _e154 = local_121;
     p_17.carried = _e154;
     let _e155 = p_17;
     return _e155;
@@ -9656,7 +9657,7 @@ fn thinWallWidth(cosTheta_63: f32, alpha_111: f32, eta_73: f32) -> f32 {
     var alpha_112: f32;
     var eta_74: f32;
     var c_33: f32;
-    var local_121: f32;
+    var local_122: f32;
     var n_52: f32;
     var across_15: f32;
     var width_7: f32;
@@ -9669,12 +9670,12 @@ fn thinWallWidth(cosTheta_63: f32, alpha_111: f32, eta_73: f32) -> f32 {
     let _e54 = eta_74;
     if (_e54 < 1f) {
         let _e58 = eta_74;
-        local_121 = (1f / max(_e58, 0.01f));
+        local_122 = (1f / max(_e58, 0.01f));
     } else {
         let _e62 = eta_74;
-        local_121 = _e62;
+        local_122 = _e62;
     }
-    let _e64 = local_121;
+    let _e64 = local_122;
     n_52 = _e64;
     let _e66 = n_52;
     let _e69 = n_52;
@@ -9711,19 +9712,19 @@ fn thinWallEnergy(texel_10: vec4<f32>) -> ThinWallEnergy {
 
 fn thinWallLaterSpread(eta_75: f32) -> f32 {
     var eta_76: f32;
-    var local_122: f32;
+    var local_123: f32;
     var n_53: f32;
 
     eta_76 = eta_75;
     let _e45 = eta_76;
     if (_e45 < 1f) {
         let _e49 = eta_76;
-        local_122 = (1f / max(_e49, 0.01f));
+        local_123 = (1f / max(_e49, 0.01f));
     } else {
         let _e53 = eta_76;
-        local_122 = _e53;
+        local_123 = _e53;
     }
-    let _e55 = local_122;
+    let _e55 = local_123;
     n_53 = _e55;
     let _e57 = n_53;
     let _e58 = n_53;
@@ -9798,7 +9799,7 @@ fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, 
     var point_4: vec3<f32>;
     var way_13: WayOut;
     var beyond_1: ComposedPair;
-    var local_123: f32;
+    var local_124: f32;
     var passed_2: f32;
     var aside: ComposedLobe;
     var cosTheta_67: f32;
@@ -9883,11 +9884,11 @@ fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, 
         let _e167 = beyond_1;
         let _e170 = beyond_1;
         let _e174 = outer;
-        local_123 = ((_e167.core.weight + _e170.rest.weight) / _e174.weight);
+        local_124 = ((_e167.core.weight + _e170.rest.weight) / _e174.weight);
     } else {
-        local_123 = 0f;
+        local_124 = 0f;
     }
-    let _e179 = local_123;
+    let _e179 = local_124;
     passed_2 = _e179;
     let _e181 = pair_6;
     aside = _e181.rest;

@@ -24,8 +24,8 @@ public:
         VK_NULL_HANDLE; // to be waited for by what copies into it (VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT),
     VkSemaphore drawn = VK_NULL_HANDLE; // to be signalled when that is done
   };
-  // The image that comes next. Made anew where the window has another size (pixels) than before, or the display says so; nothing
-  // while there is no area to draw into.
+  // The image that comes next; nothing while there is no area to draw into. The swapchain is created again where the window has
+  // another size (pixels) than before, or the display says so.
   std::optional<Next> acquire(int width, int height);
   // Copies a texture (rgba8, in the layout for copying from) to its top left, and leaves it ready to be shown.
   void fill(VkCommandBuffer commands, const Next& next, const GpuTexture& from) const;

@@ -144,7 +144,7 @@ void Geometry::complete_tangents(const TangentFrame& frame, const std::string& p
   const auto set = static_cast<std::size_t>(frame.uv_set);
   if (p.tangents != none && zero_tangents_.contains(p.tangents)) {
     note(document_.name() + ": " + place
-         + " has tangents of zero length; made anew from its texture coordinates");
+         + " has tangents of zero length; generated from its texture coordinates");
     p.tangents = none;
   }
   if (p.tangents != none || set >= p.uvs.size() || p.uvs[set] == none) return;
