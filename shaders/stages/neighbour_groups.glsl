@@ -74,7 +74,7 @@ vec3 groupRadiance(LobeGroup g, Surface s) {
     PassedOn on = nothingPassedOn();
     for (int i = 0; i < ofPixel(neighbours.counts.x); ++i) {
         GroupShare m = g.met[i];
-        if (m.weight < LEAST_SHARE * g.weight) continue;
+        if (!(m.weight > LEAST_SHARE * g.weight)) continue; // nor where no lobe of the group has a weight
         NeighbourData o = neighbours.each[i];
         LobeShare met;
         met.share = m.weight;

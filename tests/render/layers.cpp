@@ -1,6 +1,9 @@
 // Coats over a surface, films on it, and brushing: against their formulas in double precision.
+#include "core/files.h"
 #include "glsl/f64.h"
 #include "render/head_on.h"
+#include "scene/framing.h"
+#include "scene/load.h"
 #include "truth/integrator.h"
 
 #include <cmath>
@@ -53,6 +56,19 @@ scene::Material coated_metal(float roughness, float coat_roughness, float streng
 }
 
 } // namespace
+
+// Between samples of a pixel at the rim of a disc, every lobe of a brushed surface can lie below its horizon.
+TEST_P(Render, brushed_discs_beside_each_other_are_finite_at_their_rims) {
+  const scene::Scene scene =
+      scene::load(home_directory() / "assets/scenes/AnisotropyStrengthTest.glb");
+  constexpr int width = 320, height = 240; // one sample of pixel (256, 66) sees such a rim
+  draw(scene,
+       {.environment = environment_of(8, [](const glm::dvec3&) { return glm::dvec3(1.0); }),
+        .desc = {.width = width,
+                 .height = height,
+                 .samples = 16,
+                 .camera = scene::default_camera(scene, static_cast<float>(width) / height)}});
+}
 
 TEST_P(Render, a_coat_takes_from_what_is_under_it_what_it_reflects_itself) {
   for (const float strength : {0.5f, 1.0f}) {
