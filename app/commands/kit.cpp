@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace gg::commands {
 
@@ -32,8 +31,7 @@ void add_kit(Command program) {
     if (!target)
       throw Error(ExitCode::usage, "--target " + options->target,
                   "is nothing that a kit is made for",
-                  did_you_mean(options->target,
-                               std::vector<std::string>{"three", "webgl2", "opengl", "vulkan"})
+                  did_you_mean(options->target, kit::target_names())
                       + "Use three, webgl2, opengl or vulkan.");
     kit::write(*target, home_directory(), options->out);
     std::printf("%s: see README.md there\n", options->out.c_str());

@@ -13,10 +13,10 @@ namespace gg::kit {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array<std::pair<const char*, Target>, 4> target_names{{{"three", Target::three},
-                                                                      {"webgl2", Target::webgl2},
-                                                                      {"opengl", Target::opengl},
-                                                                      {"vulkan", Target::vulkan}}};
+constexpr std::array<std::pair<const char*, Target>, 4> targets{{{"three", Target::three},
+                                                                 {"webgl2", Target::webgl2},
+                                                                 {"opengl", Target::opengl},
+                                                                 {"vulkan", Target::vulkan}}};
 
 void copy_file_to(const fs::path& from, const fs::path& to) {
   OutputFile file(to);
@@ -47,8 +47,15 @@ void write_three_shaders(const fs::path& home, const fs::path& directory) {
 
 } // namespace
 
+std::vector<std::string> target_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, target] : targets)
+    names.emplace_back(name);
+  return names;
+}
+
 std::optional<Target> target_named(const std::string& name) {
-  for (const auto& [known, target] : target_names)
+  for (const auto& [known, target] : targets)
     if (name == known) return target;
   return {};
 }
@@ -58,7 +65,7 @@ void write(Target target, const fs::path& home, const fs::path& directory) {
   fs::create_directories(directory, error);
   if (error)
     throw Error(ExitCode::output, directory.string(), "cannot be made: " + error.message());
-  const fs::path own = home / "assets/kit" / target_names[static_cast<std::size_t>(target)].first;
+  const fs::path own = home / "assets/kit" / targets[static_cast<std::size_t>(target)].first;
   for (const fs::directory_entry& entry : fs::directory_iterator(own))
     if (entry.path().filename() != "README.md")
       copy_file_to(entry.path(), directory / entry.path().filename());

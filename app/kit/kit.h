@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gg::kit {
 
 enum class Target { three, webgl2, opengl, vulkan };
 
+std::vector<std::string> target_names();
 std::optional<Target> target_named(const std::string& name);
 
 // Writes the folder: the target's own files from assets/kit, the flattened shaders, the tables as half floats with a description of

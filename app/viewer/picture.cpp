@@ -60,7 +60,7 @@ void Picture::set(frame::FrameDesc desc, bool exact) {
     drawn.origin->move_to(drawn.at);
   }
   place(desc_);
-  std::ranges::copy(scene_->materials, drawn.scene.materials.begin()); // where renderers know them
+  put(scene_->materials);
   if (renderer_) {
     if (exact) renderer_->scene_changed();
     renderer_->set(desc_);
@@ -75,6 +75,10 @@ void Picture::set(frame::FrameDesc desc, bool exact) {
 void Picture::place(frame::FrameDesc& desc) const {
   desc.camera.world[3] -= glm::vec4(drawn_scene_->at, 0.0f);
   desc.environment = {stack_.get(), rotation_, intensity_};
+}
+
+void Picture::put(const Materials& materials) {
+  std::ranges::copy(materials, drawn_scene_->scene.materials.begin());
 }
 
 void Picture::draw_pass(std::map<std::string, double>* times) {
@@ -95,9 +99,6 @@ void Picture::draw_sample(std::map<std::string, double>* times) {
 
 std::vector<gpu::PipelineDesc> Picture::missing(frame::FrameDesc desc, const Materials* materials) {
   place(desc);
-  const auto put = [this](const Materials& from) {
-    std::ranges::copy(from, drawn_scene_->scene.materials.begin());
-  };
   if (materials) put(*materials);
   auto pipelines = renderer_->missing(desc);
   if (materials) put(scene_->materials);
@@ -106,12 +107,12 @@ std::vector<gpu::PipelineDesc> Picture::missing(frame::FrameDesc desc, const Mat
 
 void Picture::set_unseen(frame::FrameDesc desc, const Materials* materials) {
   place(desc);
-  if (materials) std::ranges::copy(*materials, drawn_scene_->scene.materials.begin());
+  if (materials) put(*materials);
   renderer_->set(desc);
 }
 
 void Picture::set_seen() {
-  std::ranges::copy(scene_->materials, drawn_scene_->scene.materials.begin());
+  put(scene_->materials);
   renderer_->set(desc_);
 }
 

@@ -72,6 +72,7 @@ private:
   };
 
   void place(frame::FrameDesc& desc) const; // as seen from the drawn scene's origin
+  void put(const Materials& materials);     // where renderers know them
 
   gpu::Device& device_;
   std::shared_ptr<const scene::Scene> scene_;

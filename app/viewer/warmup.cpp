@@ -12,22 +12,23 @@ void Warmup::plan(std::vector<WarmupFrame> frames) {
     frames.insert(frames.begin(), std::move(frames_.front()));
   }
   frames_.assign(frames.begin(), frames.end());
-  pipelines_.clear();
-  looked_at_ = false;
-  pass_ = 0;
+  begin();
 }
 
 void Warmup::forget() {
   pause();
   frames_.clear();
-  pipelines_.clear();
-  looked_at_ = false;
-  pass_ = 0;
+  begin();
 }
 
 void Warmup::next() {
   pause();
   frames_.pop_front();
+  begin();
+}
+
+void Warmup::begin() {
+  pipelines_.clear();
   looked_at_ = false;
   pass_ = 0;
 }

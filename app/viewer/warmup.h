@@ -31,6 +31,7 @@ public:
 
 private:
   void next();
+  void begin(); // of the first frame nothing is known or made
 
   Picture& picture_;
   std::deque<WarmupFrame> frames_;           // the one under way first

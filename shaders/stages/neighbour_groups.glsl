@@ -54,8 +54,7 @@ void addLobe(inout LobeGroup g, Surface s, float weight, vec3 direction, float s
         if (next.startsBody) c = nextBody(c);
         LobeShare met = next.met;
         float own = c.before.y * ownShare(c, met.share);
-        float part = met.sigma * sigma * inversesqrt(max(met.sigma * met.sigma + sigma * sigma, 1e-12));
-        hidden += own * farRadiance(met.direction, part);
+        hidden += own * farRadiance(met.direction, partSigma(met, sigma));
         float w = weight * own;
         g.met[i].weight += w;
         g.met[i].direction += w * met.direction;
@@ -65,7 +64,7 @@ void addLobe(inout LobeGroup g, Surface s, float weight, vec3 direction, float s
         g.met[i].kept += w * met.share * min(sigma / 0.65, 1.0);
         c = withTaken(c, met.share, vec3(0.0));
     }
-    g.far += weight * clamp(far - hidden, vec3(0.0), min(4.0 * c.passed.y, 1.0) * far);
+    g.far += weight * farLeft(far, hidden, c.passed.y);
 }
 
 vec3 groupRadiance(LobeGroup g, Surface s) {
