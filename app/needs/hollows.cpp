@@ -1,24 +1,27 @@
 #include "needs/hollows.h"
 
 #include "needs/features.h"
+#include "needs/vertex_fit.h"
 
 #include <embree3/rtcore.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace gg::needs {
 namespace {
 
 using scene::Primitive;
 
-constexpr std::size_t tried = 256; // vertices of a part, that say whether it can see itself
-constexpr int least_rays = 16;     // below: neighbouring vertices differ by .1 and more
-constexpr double shallow = 0.02;   // coverage that nobody sees
-constexpr float off_surface =
-    1e-4f; // of the body's size: past the edges of a vertex's own triangles, which rounding may lift
+constexpr std::size_t tried = 256; // triangles of a part, that say whether it can see itself
+constexpr int trial_rays = 16;
+constexpr int least_rays = 4;        // for each point: some 70 for a vertex among six triangles
+constexpr double shallow = 0.02;     // coverage that nobody sees
+constexpr float off_surface = 1e-4f; // of the body's size: past what rounding lifts over a point
 
 bool hides(const scene::Scene& scene, const Primitive& primitive) {
   const scene::Material& material = scene.materials[static_cast<std::size_t>(primitive.material)];
@@ -51,14 +54,38 @@ Part part_of(const scene::Scene& scene, const std::pair<std::size_t, std::size_t
   return part;
 }
 
+// A point of a triangle: unit normals, of shading and of the triangle (on the same side).
+struct Sample {
+  glm::vec3 point{0.0f}, normal{0.0f}, across{0.0f};
+};
+
+// At barycentric coordinates (1 - u - v, u, v) of triangle t; none of a triangle without area or normal.
+std::optional<Sample> sample_of(const Part& part, const scene::Indices& corners, std::size_t t,
+                                float u, float v) {
+  const std::size_t a = corners[3 * t], b = corners[3 * t + 1], c = corners[3 * t + 2];
+  const auto at = [&](const std::vector<glm::vec3>& of) {
+    return (1.0f - u - v) * of[a] + u * of[b] + v * of[c];
+  };
+  Sample sample{at(part.points), at(part.normals),
+                glm::cross(part.points[b] - part.points[a], part.points[c] - part.points[a])};
+  const float long_normal = glm::length(sample.normal), area = glm::length(sample.across);
+  if (!(long_normal > 0.0f && area > 0.0f)) return std::nullopt;
+  sample.normal /= long_normal;
+  sample.across /= glm::dot(sample.across, sample.normal) < 0.0f ? -area : area;
+  return sample;
+}
+
+const scene::Indices& corners_of(const scene::Scene& scene, const Part& part) {
+  return scene.indices[static_cast<std::size_t>(part.primitive->indices)];
+}
+
 // One body, as Embree traces it.
 class Tracer {
 public:
   Tracer(const scene::Scene& scene, const std::vector<Part>& parts)
       : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
     for (const Part& part : parts) {
-      const scene::Indices& indices =
-          scene.indices[static_cast<std::size_t>(part.primitive->indices)];
+      const scene::Indices& indices = corners_of(scene, part);
       RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
       void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
                                                RTC_FORMAT_FLOAT3, 12, part.points.size());
@@ -82,23 +109,25 @@ public:
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
-  // The share of `rays` about n, spread by the cosine, that meet the body.
-  float coverage(const glm::vec3& p, const glm::vec3& n, int rays) const {
-    if (!(glm::dot(n, n) > 0.0f)) return 0.0f;
-    const glm::vec3 z = glm::normalize(n);
+  // The share of `rays` about the sample's normal, spread by the cosine, that meet the body. Those that go below the sample's own
+  // triangle, as shading normals lean, say nothing of the body's shape and are left out. `turn`: two numbers in [0, 1), by which
+  // samples beside each other take other rays.
+  float coverage(const Sample& sample, int rays, const glm::vec2& turn) const {
+    const glm::vec3& z = sample.normal;
     const glm::vec3 x = glm::normalize(
         glm::cross(std::abs(z.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0), z));
     const glm::vec3 y = glm::cross(z, x);
-    const float lift = off_surface * size_.radius();
-    int met = 0;
+    const glm::vec3 from = sample.point + off_surface * size_.radius() * sample.across;
+    int met = 0, above = 0;
     for (int i = 0; i < rays; ++i) {
       // Vogel's spiral over the disc below the hemisphere (Malley's method).
-      const float r2 = (static_cast<float>(i) + 0.5f) / static_cast<float>(rays), r = std::sqrt(r2);
-      const float angle =
-          static_cast<float>(i) * static_cast<float>(std::numbers::pi) * (3.0f - std::sqrt(5.0f));
+      const float r2 = (static_cast<float>(i) + turn.x) / static_cast<float>(rays),
+                  r = std::sqrt(r2);
+      constexpr auto pi = std::numbers::pi_v<float>;
+      const float angle = pi * (static_cast<float>(i) * (3.0f - std::sqrt(5.0f)) + 2.0f * turn.y);
       const glm::vec3 d =
           r * std::cos(angle) * x + r * std::sin(angle) * y + std::sqrt(1.0f - r2) * z;
-      const glm::vec3 from = p + lift * z;
+      if (!(glm::dot(d, sample.across) > 0.0f)) continue;
       RTCIntersectContext context;
       rtcInitIntersectContext(&context);
       RTCRay ray{};
@@ -108,8 +137,9 @@ public:
       ray.mask = ~0u;
       rtcOccluded1(scene_, &context, &ray);
       met += ray.tfar < 0.0f ? 1 : 0;
+      ++above;
     }
-    return static_cast<float>(met) / static_cast<float>(rays);
+    return above > 0 ? static_cast<float>(met) / static_cast<float>(above) : 0.0f;
   }
 
 private:
@@ -118,27 +148,49 @@ private:
   scene::Bounds size_;
 };
 
-bool sees_itself(const Part& part, const Tracer& tracer) {
-  const std::size_t step = std::max<std::size_t>(1, part.points.size() / tried);
-  for (std::size_t i = 0; i < part.points.size(); i += step)
-    if (tracer.coverage(part.points[i], part.normals[i], least_rays) > 0.0f) return true;
+bool sees_itself(const scene::Scene& scene, const Part& part, const Tracer& tracer) {
+  const scene::Indices& corners = corners_of(scene, part);
+  const std::size_t triangles = corners.size() / 3;
+  const std::size_t step = std::max<std::size_t>(1, triangles / tried);
+  for (std::size_t t = 0; t < triangles; t += step) {
+    const auto middle = sample_of(part, corners, t, 1.0f / 3.0f, 1.0f / 3.0f);
+    if (middle && tracer.coverage(*middle, trial_rays, glm::vec2(0.5f, 0.0f)) > 0.0f) return true;
+  }
   return false;
+}
+
+// Coverage at the part's vertices that, interpolated, is nearest to that of its triangles' points, by area: at a vertex itself it
+// may be anything, as one in the edge of a wall and a floor sees half of the floor, which the wall's middle does not
+// [Kavan et al. 2011].
+std::vector<float> baked(const scene::Scene& scene, const Part& part, const Tracer& tracer,
+                         int rays) {
+  const scene::Indices& corners = corners_of(scene, part);
+  std::vector<std::array<float, 3>> covered(corners.size() / 3);
+  tbb::parallel_for(std::size_t{0}, covered.size(), [&](std::size_t t) {
+    for (std::size_t q = 0; q < 3; ++q) {
+      // The quadrature of degree 2 inside triangles: two thirds towards each corner.
+      const auto sample = sample_of(part, corners, t, q == 1 ? 2.0f / 3.0f : 1.0f / 6.0f,
+                                    q == 2 ? 2.0f / 3.0f : 1.0f / 6.0f);
+      if (!sample) continue;
+      const auto k = static_cast<double>(3 * t + q); // the R2 sequence [Roberts 2018]
+      const glm::dvec2 turn(glm::fract(0.7548776662466927 * k), glm::fract(0.5698402909980532 * k));
+      covered[t][q] = tracer.coverage(*sample, rays, glm::vec2(turn));
+    }
+  });
+  return fitted_at_vertices(part.points, part.normals, corners, covered);
 }
 
 void add_body(Hollows& hollows, const scene::Scene& scene, std::vector<Part> parts) {
   const Tracer tracer(scene, parts);
-  std::erase_if(parts, [&](const Part& part) { return !sees_itself(part, tracer); });
-  std::size_t count = 0;
+  std::erase_if(parts, [&](const Part& part) { return !sees_itself(scene, part, tracer); });
+  std::size_t count = 0; // of points
   for (const Part& part : parts)
-    count += part.points.size();
-  const std::size_t rays = most_rays / std::max<std::size_t>(count, 1);
-  if (rays < least_rays) return;
+    count += corners_of(scene, part).size();
+  if (least_rays * count > most_rays) return;
+  const auto rays = static_cast<int>(std::clamp<std::size_t>(
+      enough_rays / std::max<std::size_t>(count, 1), least_rays, hollow_rays));
   for (const Part& part : parts) {
-    scene::Stream stream{.components = 1, .values = std::vector<float>(part.points.size())};
-    tbb::parallel_for(std::size_t{0}, stream.values.size(), [&](std::size_t i) {
-      stream.values[i] = tracer.coverage(part.points[i], part.normals[i],
-                                         std::min(hollow_rays, static_cast<int>(rays)));
-    });
+    scene::Stream stream{.components = 1, .values = baked(scene, part, tracer, rays)};
     if (std::ranges::max(stream.values) < static_cast<float>(shallow)) continue;
     hollows.of[part.key] = hollows.streams.size();
     hollows.streams.push_back(std::move(stream));

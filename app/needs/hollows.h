@@ -1,4 +1,4 @@
-// Occlusion of a vertex by its own body: in hollows the environment's light arrives by reflection at the body's walls.
+// Occlusion of a surface by its own body: in hollows the environment's light arrives by reflection at the body's walls.
 #pragma once
 
 #include "needs/proxies.h"
@@ -11,20 +11,21 @@
 
 namespace gg::needs {
 
-// Rays per vertex; fewer where a scene would take more than `most_rays` (about half a second on two cores), none where it would
-// take fewer than 16 for each.
+// Rays for each of three points of a triangle: fewer, down to four, where a body would take more than `enough_rays` (about a second
+// of one core); none where four would be more than `most_rays`.
 inline constexpr int hollow_rays = 64;
-inline constexpr std::size_t most_rays = 6'000'000;
+inline constexpr std::size_t enough_rays = 1'500'000, most_rays = 6'000'000;
 
 struct Hollows {
-  // Of one component, in [0, 1]: the share of the cosine lobe about the normal that meets the body.
+  // Of one component, at the vertices: interpolated, and then bounded to [0, 1], the share of the cosine lobe about the normal that
+  // meets the body.
   std::vector<scene::Stream> streams;
   // Of primitives of instances (indices into the scene and its mesh) that have hollows, into `streams`.
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> of;
 };
 
 // Of the opaque surfaces of each body of the proxies, by Embree; the same for the same scene. What is convex has none, found by a
-// few of its vertices.
+// few of its triangles.
 Hollows hollows_of(const scene::Scene& scene, const Proxies& proxies);
 
 } // namespace gg::needs

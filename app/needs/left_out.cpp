@@ -40,6 +40,7 @@ constexpr Entry entries[] = {
     {"dispersion", Feature::dispersion},
     {"absorption", Feature::attenuation},
     {"neighbours", Feature::neighbours},
+    {"hollows", Feature::hollows},
 };
 
 } // namespace

@@ -133,7 +133,8 @@ Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes) {
     if (!has(view.without, Feature::neighbours))
       find_neighbours(needs.draws, scene, *needs.proxies);
   }
-  if (view.method != Method::standard) add_hollows(needs, *shapes);
+  if (view.method != Method::standard && !has(view.without, Feature::hollows))
+    add_hollows(needs, *shapes);
   if (!has(view.without, Feature::lights))
     needs.shadows = shadow_maps_of(scene, view, needs.draws, *shapes, needs.proxies.get());
   mark_fine(needs.draws.all, view);

@@ -4,6 +4,7 @@
 #include "needs/needs.h"
 #include "render/shapes.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,6 +37,21 @@ scene::Scene facing_squares(float apart) {
   return scene;
 }
 
+// A wall of 20 x 1 metres, of which vertices 0 and 1 are the lower edge and 2 and 3 the upper, and a floor in front of it: turned, so
+// that coordinates are rounded.
+scene::Scene wall_on_floor(float depth) {
+  scene::Scene scene = square(dielectric(0.5f));
+  scene::Primitive& primitive = scene.meshes[0].primitives[0];
+  scene.streams[static_cast<std::size_t>(primitive.positions)].values = {
+      -10, 0, 0, 10, 0, 0, -10, 1, 0, 10, 1, 0, -10, 0, 0, 10, 0, 0, -10, 0, depth, 10, 0, depth};
+  scene.streams[static_cast<std::size_t>(primitive.normals)].values = {
+      0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0};
+  scene.indices[static_cast<std::size_t>(primitive.indices)] = {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5};
+  primitive.bounds = {{-10, 0, 0}, {10, 1, depth}};
+  scene.instances[0].world = glm::rotate(glm::mat4(1.0f), 1.1f, glm::vec3(0.36f, 0.48f, 0.8f));
+  return scene;
+}
+
 } // namespace
 
 TEST(hollows, what_is_convex_has_none) {
@@ -44,15 +60,37 @@ TEST(hollows, what_is_convex_has_none) {
   EXPECT_TRUE(hollows(square(metal(0.3f))).of.empty());
 }
 
-// The form factor of a rectangle from the point under its corner [Howell, C-11], sides a and b over the distance.
+// Of two parallel squares [Howell, C-11], side over distance x: what all of one sees of the other.
 TEST(hollows, of_a_square_below_another_are_its_form_factor) {
   const needs::Hollows found = hollows(facing_squares(1.5f));
   ASSERT_EQ(found.streams.size(), 1u);
-  const double a = 2.0 / 1.5, side = a / std::sqrt(1.0 + a * a);
-  const double factor =
-      2.0 * side * std::atan(a / std::sqrt(1.0 + a * a)) / (2.0 * std::numbers::pi);
-  for (const float coverage : found.streams[0].values)
-    EXPECT_NEAR(static_cast<double>(coverage), factor, 2.0 / needs::hollow_rays) << "rays' steps";
+  const double x = 2.0 / 1.5, root = std::sqrt(1.0 + x * x);
+  const double factor = 2.0 / (std::numbers::pi * x * x)
+                        * (0.5 * std::log(root * root * root * root / (1.0 + 2.0 * x * x))
+                           + 2.0 * x * root * std::atan(x / root) - 2.0 * x * std::atan(x));
+  const scene::Scene scene = facing_squares(1.5f);
+  const scene::Indices& corners = scene.indices[0];
+  double mean = 0.0;
+  for (const std::uint32_t i : corners)
+    mean += static_cast<double>(found.streams[0].values[i]) / static_cast<double>(corners.size());
+  EXPECT_NEAR(mean, factor, 1.0 / needs::hollow_rays) << "rays' steps";
+}
+
+// A wall of two triangles that stands on a floor: their common edge, where rounding lets rays meet either side, is no measure of the
+// wall. What it sees of a floor that is much wider [Howell, C-3], between the bottom and the top.
+TEST(hollows, of_a_wall_on_a_floor_are_those_of_its_middle) {
+  for (const float depth : {0.3f, 0.8f, 2.0f}) {
+    const scene::Scene scene = wall_on_floor(depth);
+    const needs::Hollows found = hollows(scene);
+    ASSERT_EQ(found.streams.size(), 1u);
+    const std::vector<float>& at = found.streams[0].values;
+    for (const double h : {0.15, 0.5, 0.85}) {
+      const double shown = std::lerp(static_cast<double>(at[0] + at[1]) / 2.0,
+                                     static_cast<double>(at[2] + at[3]) / 2.0, h);
+      const double seen = 0.5 * (1.0 - h / std::hypot(h, static_cast<double>(depth)));
+      EXPECT_NEAR(shown, seen, 0.1) << depth << " deep, " << h << " high: a straight line";
+    }
+  }
 }
 
 TEST(hollows, are_the_same_again) {
