@@ -45,16 +45,24 @@ class Desk:
         self.display.sync()
 
     def screen(self):
-        """Rows of (r, g, b), as the X server keeps them: an XWD file that it maps into memory."""
-        data = (self.path / "Xvfb_screen0").read_bytes()
+        """Rows of (r, g, b), as the X server keeps them."""
+        return Screen((self.path / "Xvfb_screen0").read_bytes())
+
+
+class Screen:
+    """An XWD file, which the X server maps into memory; rows are made when they are asked for."""
+    def __init__(self, data):
+        self.data = data
         header = struct.unpack(">25I", data[:100])
-        size, width, height, stride, colours = header[0], header[4], header[5], header[12], header[19]
-        at = size + 12 * colours
-        rows = []
-        for y in range(height):
-            row = data[at + y * stride:at + y * stride + 4 * width]
-            rows.append([(row[4 * x + 2], row[4 * x + 1], row[4 * x]) for x in range(width)])
-        return rows
+        self.width, self.height, self.stride = header[4], header[5], header[12]
+        self.at = header[0] + 12 * header[19]
+
+    def __getitem__(self, y):
+        if isinstance(y, slice):
+            return [self[i] for i in range(*y.indices(self.height))]
+        start = self.at + y * self.stride
+        row = self.data[start:start + 4 * self.width]
+        return list(zip(row[2::4], row[1::4], row[0::4]))
 
 
 class Viewer:
@@ -62,7 +70,8 @@ class Viewer:
         self.desk, self.program = desk, program
         # Not the user's caches, but kept: compiled shaders serve the next test.
         cache = Path(program).parent / "tests/viewer/cache"
-        environment = dict(os.environ, DISPLAY=desk.name, XDG_CACHE_HOME=str(cache))
+        self.environment = dict(os.environ, XDG_CACHE_HOME=str(cache))
+        environment = dict(self.environment, DISPLAY=desk.name)
         if "VIEWER_PRELOAD" in environment: # of the viewer alone, not of this
             environment["LD_PRELOAD"] = environment["VIEWER_PRELOAD"]
         if home:
@@ -127,36 +136,43 @@ class Viewer:
     def move(self, x, y):
         self.fake(X.MotionNotify, x=int(x), y=int(y))
 
-    def rest(self):
-        """Until the picture is finished: then a frame takes no longer than a hand's movement."""
-        since, before = time.monotonic(), None
-        start = since
-        while time.monotonic() - since < 1.2 and time.monotonic() - start < PATIENCE:
-            now = (self.desk.path / "Xvfb_screen0").read_bytes()
-            if now != before:
-                since, before = time.monotonic(), now
-            time.sleep(0.1)
+    def work(self):
+        """Nanoseconds of processor time that its threads have had; none if one of them wants more at once."""
+        total = 0
+        for task in Path(f"/proc/{self.process.pid}/task").iterdir():
+            try:
+                if (task / "stat").read_text().rsplit(") ", 1)[1][0] == "R":
+                    return None
+                total += int((task / "schedstat").read_text().split()[0])
+            except OSError: # it has ended
+                pass
+        return total
 
-    def drag(self, start, end, button=1, steps=8):
+    def rest(self):
+        """Until it has nothing to do, as the window then costs nothing: the picture is finished, and what is likely next is made."""
+        awake = 2_000_000 # of a look at its files or the clock
+        quiet = 0.25 # longer than the window waits for the next movement of a hand
+        start = since = time.monotonic()
+        before = self.work()
+        while time.monotonic() - since < quiet and time.monotonic() - start < PATIENCE and self.process.poll() is None:
+            time.sleep(0.03)
+            now = self.work()
+            if now is None or before is None or now - before > awake:
+                since = time.monotonic()
+            before = now
+
+    def drag(self, start, end, button=1, steps=5):
         self.rest()
         self.move(*start)
-        time.sleep(0.3)
+        self.rest() # the window knows where the mouse is
         self.fake(X.ButtonPress, button)
-        time.sleep(0.3)
         for i in range(1, steps + 1):
             self.move(start[0] + (end[0] - start[0]) * i / steps, start[1] + (end[1] - start[1]) * i / steps)
-            time.sleep(0.05)
-        time.sleep(0.3)
         self.fake(X.ButtonRelease, button)
+        self.rest()
 
     def click(self, x, y, button=1):
-        self.rest()
-        self.move(x, y)
-        time.sleep(0.5)
-        self.fake(X.ButtonPress, button)
-        time.sleep(0.5)
-        self.fake(X.ButtonRelease, button)
-        time.sleep(0.3)
+        self.drag((x, y), (x, y), button, steps=0)
 
     def key(self, name, *modifiers):
         codes = [self.desk.display.keysym_to_keycode(XK.string_to_keysym(k)) for k in (*modifiers, name)]
