@@ -47,20 +47,36 @@ public:
   double mean_radiance() const { return mean_; }
 
 private:
-  glm::dvec3 texel(int x, int y) const;
-  void index_cells();
+  double add_row(const std::vector<double>& powers);
+  void note_densities(int row, double solid_angle);
+  std::size_t start_of(int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_);
+  }
 
-  environment::Map map_;
   int width_, height_;
   double cosine_, sine_, intensity_;
   double mean_ = 0.0;
-  // Cumulated power: of the rows, and within each row of its cells. A cell is a texel's rectangle;
-  // inside it directions are drawn uniformly over the sphere.
+  // Radiance before intensity, and the density of the texel's cell, 1/sr. A cell is a texel's rectangle; inside it
+  // directions are drawn uniformly over the sphere.
+  std::vector<glm::vec4> texels_;
+  // Cumulated power of the rows, and where to begin the search for the row of u, by the whole part of u times their
+  // number [ChenAsau74].
   std::vector<double> rows_;
-  std::vector<float> cells_; // (width + 1) a row
-  // Where to begin the search for the cell of u, by the whole part of u times their number
-  // [ChenAsau74]: of the rows, and of each row's cells.
-  std::vector<std::int32_t> first_row_, first_cell_;
+  std::vector<std::int32_t> first_row_;
+  // The same within each row, of the cells that are drawn at all: a small part of them.
+  struct Cell {
+    float end = 1.0f; // cumulated
+    std::int32_t column = 0;
+  };
+  struct Row {
+    std::size_t cells = 0, firsts = 0; // where they begin
+    int count = 0;                     // of the cells
+    // Where searches begin: one for eight cells, so that what is drawn often, a sun, is looked up in a few lines of cache.
+    int searches() const { return (count + 7) / 8; }
+  };
+  std::vector<Cell> cells_;
+  std::vector<std::int32_t> first_cell_;
+  std::vector<Row> cells_of_; // the rows
   std::vector<double> edges_; // of the rows: cosine of the polar angle
 };
 

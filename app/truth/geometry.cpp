@@ -87,12 +87,13 @@ void mark_overlaps(const scene::Scene& scene, std::vector<Part>& parts) {
     }
 }
 
-void add_triangles(const scene::Scene& scene, const Part& part, std::uint32_t number,
-                   Neighbourhoods& neighbourhoods) {
+// Calls what(k, bounds) for each triangle k of the part, with a margin for what counts as near: of `leave`, at most twice
+// the radius on each side, and what rounding to float loses far from the origin.
+template <class What>
+void for_triangles(const scene::Scene& scene, const Part& part, const What& what) {
   const scene::Stream& positions =
       scene.streams[static_cast<std::size_t>(part.primitive->positions)];
   const scene::Indices& indices = scene.indices[static_cast<std::size_t>(part.primitive->indices)];
-  // Of `leave`, at most twice the radius on each side, and what rounding to float loses far from the origin.
   const float margin =
       static_cast<float>(8.0 * leave_offset) * scene.bounds.radius()
       + 0x1p-22f * (glm::length(scene.bounds.low) + glm::length(scene.bounds.high));
@@ -102,7 +103,7 @@ void add_triangles(const scene::Scene& scene, const Part& part, std::uint32_t nu
       bounds.include(
           glm::vec3(part.world_from_mesh * glm::dvec4(vertex(positions, indices[i + k]), 1.0)));
     bounds.low -= margin, bounds.high += margin;
-    neighbourhoods.add(number, bounds);
+    what(i / 3, bounds);
   }
 }
 
@@ -111,12 +112,15 @@ void add_triangles(const scene::Scene& scene, const Part& part, std::uint32_t nu
 struct Geometry::Embree {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  // Embree's own copies of a part's triangles: relative to the centre of the scene.
+  // Its own copies of a part's triangles: relative to the centre of the scene.
   struct Mesh {
     const float* vertices = nullptr;
     const std::uint32_t* corners = nullptr;
+    glm::vec3 vertex(std::uint32_t i) const {
+      const float* const v = vertices + 3 * static_cast<std::size_t>(i);
+      return {v[0], v[1], v[2]};
+    }
   };
-  std::vector<Mesh> meshes;
 
   Embree() : device(rtcNewDevice(nullptr)) {
     if (!device)
@@ -145,7 +149,7 @@ struct Geometry::Embree {
                   "Try a smaller scene.");
   }
 
-  void add(const Part& part, const scene::Stream& positions, const scene::Indices& indices,
+  Mesh add(const Part& part, const scene::Stream& positions, const scene::Indices& indices,
            const glm::dvec3& centre) {
     const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     const std::size_t count = positions.count();
@@ -164,7 +168,6 @@ struct Geometry::Embree {
         vertices[3 * i + static_cast<std::size_t>(c)] = static_cast<float>(p[c]);
     }
     std::ranges::copy(indices, corners);
-    meshes.push_back({vertices, corners});
     if (part.one_sided) {
       rtcSetGeometryUserData(geometry, part.mirrored ? const_cast<Part*>(&part) : nullptr);
       rtcSetGeometryIntersectFilterFunction(geometry, pass_from_behind);
@@ -174,14 +177,7 @@ struct Geometry::Embree {
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
     check();
-  }
-
-  glm::dvec3 corner(unsigned geometry, std::uint32_t i) const {
-    const float* const v = meshes[geometry].vertices + 3 * static_cast<std::size_t>(i);
-    return {v[0], v[1], v[2]};
-  }
-  const std::uint32_t* corners(unsigned geometry, unsigned triangle) const {
-    return meshes[geometry].corners + 3 * static_cast<std::size_t>(triangle);
+    return {vertices, corners}; // as long as the scene has the geometry
   }
 };
 
@@ -216,16 +212,44 @@ Geometry::Geometry(const scene::Scene& scene) : embree_(std::make_unique<Embree>
   }
   mark_overlaps(scene, parts_);
   for (const Part& part : parts_)
-    embree_->add(part, scene.streams[static_cast<std::size_t>(part.primitive->positions)],
-                 scene.indices[static_cast<std::size_t>(part.primitive->indices)], centre_);
-  if (std::ranges::any_of(parts_, &Part::meets_others)) {
-    neighbourhoods_.emplace(scene.bounds);
-    for (std::size_t i = 0; i < parts_.size(); ++i)
-      if (parts_[i].meets_others)
-        add_triangles(scene, parts_[i], static_cast<std::uint32_t>(i), *neighbourhoods_);
-  }
+    add_triangles(scene, part);
+  if (std::ranges::any_of(parts_, &Part::meets_others)) find_neighbours(scene);
   rtcCommitScene(embree_->scene);
   embree_->check();
+}
+
+void Geometry::add_triangles(const scene::Scene& scene, const Part& part) {
+  const scene::Indices& indices = scene.indices[static_cast<std::size_t>(part.primitive->indices)];
+  const Embree::Mesh mesh = embree_->add(
+      part, scene.streams[static_cast<std::size_t>(part.primitive->positions)], indices, centre_);
+  const scene::Stream& normals = scene.streams[static_cast<std::size_t>(part.primitive->normals)];
+  first_triangle_.push_back(triangles_.size());
+  triangles_.reserve(triangles_.size() + indices.size() / 3);
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    Triangle& triangle = triangles_.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangle.vertices[k] = indices[i + k];
+      triangle.corners[k] = mesh.vertex(indices[i + k]);
+      const glm::dvec3 n = part.normal_from_mesh * vertex(normals, indices[i + k]);
+      const double length = glm::length(n);
+      triangle.normals[k] = length > 0.0 ? glm::vec3(n / length) : glm::vec3(0.0f);
+    }
+  }
+}
+
+void Geometry::find_neighbours(const scene::Scene& scene) {
+  neighbourhoods_.emplace(scene.bounds);
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (parts_[i].meets_others)
+      for_triangles(scene, parts_[i], [&](std::size_t, const scene::Bounds& bounds) {
+        neighbourhoods_->add(static_cast<std::uint32_t>(i), bounds);
+      });
+  neighbourhoods_->close();
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (parts_[i].meets_others)
+      for_triangles(scene, parts_[i], [&](std::size_t k, const scene::Bounds& bounds) {
+        triangles_[first_triangle_[i] + k].near_others = neighbourhoods_->several(bounds);
+      });
 }
 
 Geometry::~Geometry() = default;
@@ -245,14 +269,17 @@ std::optional<Hit> Geometry::intersect(const Ray& ray) const {
                 static_cast<double>(query.hit.v));
 }
 
-Hit Geometry::hit_of(unsigned geometry, unsigned triangle, double u, double v) const {
+Hit Geometry::hit_of(unsigned geometry, unsigned number, double u, double v) const {
+  const Triangle& triangle = triangles_[first_triangle_[geometry] + number];
   Hit hit;
   hit.part = &parts_[geometry];
-  std::copy_n(embree_->corners(geometry, triangle), 3, hit.vertices);
+  hit.near_others = triangle.near_others;
+  std::copy_n(triangle.vertices, 3, hit.vertices);
   hit.weights = {1.0 - u - v, u, v};
-  glm::dvec3 p[3];
+  const glm::dvec3 p[3] = {glm::dvec3(triangle.corners[0]), glm::dvec3(triangle.corners[1]),
+                           glm::dvec3(triangle.corners[2])};
   for (int k = 0; k < 3; ++k)
-    p[k] = embree_->corner(geometry, hit.vertices[k]);
+    hit.smooth += hit.weights[k] * glm::dvec3(triangle.normals[k]);
   // From the corners, in double: on the triangle's plane to the last place, wherever rounding put
   // the ray's end.
   const glm::dvec3 local = hit.weights[0] * p[0] + hit.weights[1] * p[1] + hit.weights[2] * p[2];
@@ -300,7 +327,7 @@ void note_and_go_on(const RTCFilterFunctionNArguments* args) {
 
 std::vector<Hit> Geometry::touching(const Hit& hit, const glm::dvec3& direction) const {
   std::vector<Hit> found;
-  if (!hit.part->meets_others || !neighbourhoods_->several(hit.position)) return found;
+  if (!hit.near_others || !neighbourhoods_->several(hit.position)) return found;
   // Across the hit, from one side's `leave` to the other's.
   const double offset = leave_offset * hit.scale;
   const glm::dvec3 across = glm::dot(direction, hit.normal) < 0.0 ? -hit.normal : hit.normal;

@@ -31,7 +31,9 @@ struct Hit {
   glm::dvec3 weights{0.0};               // of the three vertices: barycentric
   glm::dvec3 position{0.0};              // world, metres
   glm::dvec3 normal{0.0};                // the triangle's, unit, on its front side
+  glm::dvec3 smooth{0.0};                // the vertices', unit each, interpolated; on the front side
   double scale = 0.0; // metres: the larger of the position's and the triangle's size, for `leave`
+  bool near_others = false; // triangles of other parts may be where this one is
 };
 
 class Geometry {
@@ -58,9 +60,20 @@ public:
 
 private:
   struct Embree;
+  // What a hit asks of its triangle, in two lines of cache: memory is what waits longest here.
+  struct alignas(32) Triangle {
+    glm::vec3 corners[3]; // relative to the centre, as Embree has them
+    glm::vec3 normals[3]; // the vertices', world, unit; 0 if there is none
+    std::uint32_t vertices[3];
+    bool near_others;
+  };
+  void add_triangles(const scene::Scene& scene, const Part& part);
+  void find_neighbours(const scene::Scene& scene);
   Hit hit_of(unsigned geometry, unsigned triangle, double u, double v) const;
   std::vector<Part> parts_;
   glm::dvec3 centre_{0.0}; // of the scene: Embree's coordinates are relative to it
+  std::vector<Triangle> triangles_;
+  std::vector<std::size_t> first_triangle_; // of each part
   std::optional<Neighbourhoods> neighbourhoods_; // if any part's bounds overlap another's
   std::unique_ptr<Embree> embree_;
 };

@@ -88,7 +88,7 @@ void Integrator::advance(Walk& walk, Path path) const {
   }
 }
 
-void Integrator::meet(Walk& walk, Path path, Intersection intersection, SolidId medium,
+void Integrator::meet(Walk& walk, Path path, Intersection& intersection, SolidId medium,
                       SolidId next) const {
   intersection.ior_before = media_.ior(medium, path.channel);
   intersection.ior_beyond = intersection.solid()
@@ -219,7 +219,7 @@ void Integrator::cross_plate(Path& path, Intersection& m, const glm::dvec3& wi) 
   m.surface.hit.position += distance * wi;
 }
 
-void Integrator::follow(Walk& walk, Path path, Intersection m, const Drawn& drawn,
+void Integrator::follow(Walk& walk, Path path, const Intersection& m, const Drawn& drawn,
                         double eta) const {
   using Face = Intersection::Face;
   const bool alone = settings_.transport == Transport::surface_only;
@@ -231,10 +231,11 @@ void Integrator::follow(Walk& walk, Path path, Intersection m, const Drawn& draw
 
   if (!m.leaves(across)) {
     path.scale *= eta2;
-    m.face = m.face == Face::far ? Face::near : Face::far;
-    m.wo = -drawn.wi;
-    cross_plate(path, m, drawn.wi);
-    if (survives(walk, path)) walk.at_surfaces.emplace_back(path, m);
+    Intersection within = m;
+    within.face = m.face == Face::far ? Face::near : Face::far;
+    within.wo = -drawn.wi;
+    cross_plate(path, within, drawn.wi);
+    if (survives(walk, path)) walk.at_surfaces.emplace_back(path, within);
     return;
   }
   if (!alone && !m.right_side(drawn.wi, across)) {
@@ -242,8 +243,8 @@ void Integrator::follow(Walk& walk, Path path, Intersection m, const Drawn& draw
     // The power that was drawn is scattered anew: without the change of radiance across an
     // interface that it does not cross this way.
     path.throughput *= eta2;
-    m.by_triangle = true;
     walk.at_surfaces.emplace_back(path, m);
+    walk.at_surfaces.back().second.by_triangle = true;
     return;
   }
   path.scale *= eta2;

@@ -66,9 +66,9 @@ private:
   struct Walk;
 
   void advance(Walk& walk, Path path) const;
-  void meet(Walk& walk, Path path, Intersection intersection, SolidId medium, SolidId next) const;
+  void meet(Walk& walk, Path path, Intersection& intersection, SolidId medium, SolidId next) const;
   void scatter(Walk& walk, const Path& path, const Intersection& intersection) const;
-  void follow(Walk& walk, Path path, Intersection intersection, const Drawn& drawn,
+  void follow(Walk& walk, Path path, const Intersection& intersection, const Drawn& drawn,
               double eta) const;
   void cross_plate(Path& path, Intersection& intersection, const glm::dvec3& wi) const;
   bool survives(Walk& walk, Path& path) const;

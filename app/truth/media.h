@@ -8,6 +8,7 @@
 
 #include "truth/geometry.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <vector>
@@ -22,6 +23,16 @@ inline constexpr int white = -1;
 // surface is crossed.
 class Inside {
 public:
+  Inside() = default;
+  // Paths are copied often, and few are inside of anything.
+  Inside(const Inside& other) : count_(other.count_) {
+    std::copy_n(other.solids_.data(), count_, solids_.data());
+  }
+  Inside& operator=(const Inside& other) {
+    std::copy_n(other.solids_.data(), other.count_, solids_.data());
+    count_ = other.count_;
+    return *this;
+  }
   void enter(SolidId solid);
   void leave(SolidId solid); // once; nothing if it was not entered
   bool contains(SolidId solid) const;
@@ -31,7 +42,7 @@ public:
 
 private:
   // More than 16 crossings deep the outermost is forgotten: no scene of glass in glass is.
-  std::array<SolidId, 16> solids_{};
+  std::array<SolidId, 16> solids_;
   std::size_t count_ = 0;
 };
 

@@ -27,15 +27,30 @@ void Neighbourhoods::add(std::uint32_t part, const scene::Bounds& triangle) {
   for (int z = first.z; z <= last.z; ++z)
     for (int y = first.y; y <= last.y; ++y)
       for (int x = first.x; x <= last.x; ++x) {
-        std::uint32_t& owner = owners_[static_cast<std::size_t>((z * cells + y) * cells + x)];
+        std::uint32_t& owner = owners_[index({x, y, z})];
         if (owner != part) owner = owner == nobody ? part : many;
       }
 }
 
+void Neighbourhoods::close() {
+  several_.resize(owners_.size());
+  for (std::size_t i = 0; i < owners_.size(); ++i)
+    several_[i] = owners_[i] == many;
+  owners_ = {};
+}
+
 bool Neighbourhoods::several(const glm::dvec3& point) const {
-  const glm::ivec3 at = cell_of(point);
-  return work_ > most_work
-         || owners_[static_cast<std::size_t>((at.z * cells + at.y) * cells + at.x)] == many;
+  return work_ > most_work || several_[index(cell_of(point))];
+}
+
+bool Neighbourhoods::several(const scene::Bounds& triangle) const {
+  if (work_ > most_work) return true;
+  const glm::ivec3 first = cell_of(triangle.low), last = cell_of(triangle.high);
+  for (int z = first.z; z <= last.z; ++z)
+    for (int y = first.y; y <= last.y; ++y)
+      for (int x = first.x; x <= last.x; ++x)
+        if (several_[index({x, y, z})]) return true;
+  return false;
 }
 
 } // namespace gg::truth

@@ -101,7 +101,7 @@ glm::dvec3 Surfaces::direction(const Hit& hit, scene::Index index, const glm::dm
 // unit nor orthogonal again.
 Surfaces::Basis Surfaces::basis(const Hit& hit) const {
   const Part& part = *hit.part;
-  Basis b{.normal = direction(hit, part.primitive->normals, part.normal_from_mesh),
+  Basis b{.normal = hit.smooth,
           .tangent = glm::dvec3(0.0),
           .bitangent = glm::dvec3(0.0)};
   if (part.primitive->tangents == scene::none) return b;
