@@ -141,8 +141,9 @@ glm::dvec3 EnvironmentLight::radiance(const Place& place) const {
   const auto column = [&](int k) { return k < 0 ? k + width_ : k >= width_ ? k - width_ : k; };
   const auto row = [&](int k) { return std::clamp(k, 0, height_ - 1); };
   const int i0 = column(i), i1 = column(i + 1);
-  const glm::vec4 *const above = texels_.data() + start_of(row(j)),
-                  *const below = texels_.data() + start_of(row(j + 1));
+  const glm::vec4 *const above = texels_.data() + start_of(row(j)), *const below =
+                                                                        texels_.data()
+                                                                        + start_of(row(j + 1));
   const auto along = [&](const glm::vec4* texels) {
     return glm::dvec3(texels[i0]) * (1.0 - fx) + glm::dvec3(texels[i1]) * fx;
   };
@@ -162,9 +163,9 @@ std::optional<EnvironmentLight::Drawn> EnvironmentLight::sample(Random& random, 
   const double along = random.uniform();
   const std::int32_t first =
       first_cell_[of.firsts + static_cast<std::size_t>(along * of.searches())];
-  const int column =
-      cells[step_at([&](int i) { return static_cast<double>(cells[i].end); }, of.count, along, first)]
-          .column;
+  const int column = cells[step_at([&](int i) { return static_cast<double>(cells[i].end); },
+                                   of.count, along, first)]
+                         .column;
   const double y = glm::mix(edges_[static_cast<std::size_t>(row)],
                             edges_[static_cast<std::size_t>(row) + 1], random.uniform());
   Drawn drawn;

@@ -31,7 +31,7 @@ struct Hit {
   glm::dvec3 weights{0.0};               // of the three vertices: barycentric
   glm::dvec3 position{0.0};              // world, metres
   glm::dvec3 normal{0.0};                // the triangle's, unit, on its front side
-  glm::dvec3 smooth{0.0};                // the vertices', unit each, interpolated; on the front side
+  glm::dvec3 smooth{0.0}; // the vertices', unit each, interpolated; on the front side
   double scale = 0.0; // metres: the larger of the position's and the triangle's size, for `leave`
   bool near_others = false; // triangles of other parts may be where this one is
 };
@@ -73,7 +73,7 @@ private:
   std::vector<Part> parts_;
   glm::dvec3 centre_{0.0}; // of the scene: Embree's coordinates are relative to it
   std::vector<Triangle> triangles_;
-  std::vector<std::size_t> first_triangle_; // of each part
+  std::vector<std::size_t> first_triangle_;      // of each part
   std::optional<Neighbourhoods> neighbourhoods_; // if any part's bounds overlap another's
   std::unique_ptr<Embree> embree_;
 };

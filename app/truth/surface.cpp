@@ -101,9 +101,7 @@ glm::dvec3 Surfaces::direction(const Hit& hit, scene::Index index, const glm::dm
 // unit nor orthogonal again.
 Surfaces::Basis Surfaces::basis(const Hit& hit) const {
   const Part& part = *hit.part;
-  Basis b{.normal = hit.smooth,
-          .tangent = glm::dvec3(0.0),
-          .bitangent = glm::dvec3(0.0)};
+  Basis b{.normal = hit.smooth, .tangent = glm::dvec3(0.0), .bitangent = glm::dvec3(0.0)};
   if (part.primitive->tangents == scene::none) return b;
   b.tangent = direction(hit, part.primitive->tangents, glm::dmat3(part.world_from_mesh));
   const double sign = interpolate(hit, part.primitive->tangents).w;
