@@ -178,7 +178,7 @@ void capture(const CaptureOptions& o) {
   start = Clock::now();
   std::optional<environment::Stack> stack;
   if (map) {
-    stack = environment::build(*device, *map);
+    stack = environment::build_or_load(*device, *map);
     device->finish();
     desc.environment = lighting(o, *stack);
   }
@@ -246,7 +246,7 @@ void capture_sequence(CaptureOptions o) {
   const std::unique_ptr<gpu::Device> device = open_device(o.device);
   const auto map = load_environment(o.scene, scene);
   std::optional<environment::Stack> stack;
-  if (map) stack = environment::build(*device, *map);
+  if (map) stack = environment::build_or_load(*device, *map);
   Progress progress("drawing frames", static_cast<long>(frames.size()));
   std::optional<frame::Renderer> renderer; // of `scene`
   std::size_t kept = 0;

@@ -2,6 +2,7 @@
 
 #include "environment/equirect_lattice.h"
 #include "environment/face_balance.h"
+#include "environment/kept_stack.h"
 #include "environment/stack_plan.h"
 #include "environment/steps.h"
 #include "environment/zonal.h"
@@ -83,7 +84,7 @@ Blurred prepare_blurred(const StackPlan& plan) {
 
 class Building::Builder {
 public:
-  Builder(gpu::Device& device, const Map& map);
+  Builder(gpu::Device& device, const Map& map, bool kept);
   void build(std::vector<gpu::PassTime>* times);
   bool advance();
   double progress() const;
@@ -115,6 +116,7 @@ private:
 
   gpu::Device& device_;
   Map map_;
+  std::optional<std::string> key_; // of what is kept
   StackPlan plan_;
   int face_;
   Stack stack_;
@@ -128,7 +130,7 @@ private:
   bool done_ = false;
 };
 
-Building::Builder::Builder(gpu::Device& device, const Map& map)
+Building::Builder::Builder(gpu::Device& device, const Map& map, bool kept)
     : device_(device), map_(fitted(map)), plan_(plan_stack(map_)), face_(face_of(map_)),
       steps_(device) {
   stack_.sun = sun_of(map_);
@@ -141,6 +143,10 @@ Building::Builder::Builder(gpu::Device& device, const Map& map)
                   // The mean of an even and an odd level's share, as one number stands for both.
                   std::sqrt(first * first + 0.75 * lookup_variance(face_ / 2)),
                   2 * (even_level_count(face_) - 1) - 1, stack_.unit};
+  create_cubes();
+  if (kept) key_ = key_of_stack(device_, map_);
+  done_ = key_ && load_stack(device_, *key_, stack_);
+  if (done_) return;
   device_.expect(std::array{pipeline_of("environment_equirect.comp"),
                             pipeline_of("environment_blur.comp"),
                             pipeline_of("environment_zonal.comp")});
@@ -170,8 +176,6 @@ void Building::Builder::create_cubes() {
   stack_.odd = cube("environment, odd levels", face_ / 2, even_levels - 1);
   stack_.irradiance = cube("irradiance", irradiance_face, 1);
   stack_.sampler = device_.create(gpu::SamplerDesc{.between_levels = gpu::Filter::linear});
-  for (gpu::View& view : handed_)
-    view = gpu::whole(cube("weighted", face_ / 2, 1, gpu::Format::rgba32f));
 }
 
 void Building::Builder::sharp(const Sharp& prepared) {
@@ -223,7 +227,8 @@ void Building::Builder::convolve(const Blurred& prepared) {
 }
 
 void Building::Builder::start_sharp() {
-  create_cubes();
+  for (gpu::View& view : handed_)
+    view = gpu::whole(cube("weighted", face_ / 2, 1, gpu::Format::rgba32f));
   sharp(for_sharp_.get());
   for_blurred_ = std::async(std::launch::async, prepare_blurred, std::cref(plan_));
 }
@@ -235,10 +240,12 @@ void Building::Builder::start_blurred() {
 }
 
 void Building::Builder::build(std::vector<gpu::PassTime>* times) {
+  if (done_) return;
   start_sharp();
   steps_.run(times);
   start_blurred();
   steps_.run(times);
+  if (key_) store_stack(device_, *key_, stack_);
 }
 
 bool Building::Builder::advance() {
@@ -256,6 +263,7 @@ bool Building::Builder::advance() {
   } else if (!done_) {
     left_ = steps_.run_one();
     done_ = left_ == 0;
+    if (done_ && key_) store_stack(device_, *key_, stack_);
   }
   return done_;
 }
@@ -270,7 +278,7 @@ double Building::Builder::progress() const {
 }
 
 Building::Building(gpu::Device& device, const Map& map)
-    : builder_(std::make_unique<Builder>(device, map)) {}
+    : builder_(std::make_unique<Builder>(device, map, true)) {}
 
 Building::~Building() = default;
 
@@ -300,9 +308,15 @@ std::vector<Level> levels(const Stack& stack) {
 }
 
 Stack build(gpu::Device& device, const Map& map, std::vector<gpu::PassTime>* times) {
-  Building building(device, map);
-  building.builder_->build(times);
-  return building.stack();
+  Building::Builder builder(device, map, false);
+  builder.build(times);
+  return builder.stack();
+}
+
+Stack build_or_load(gpu::Device& device, const Map& map) {
+  Building::Builder builder(device, map, true);
+  builder.build(nullptr);
+  return builder.stack();
 }
 
 std::size_t bytes_of(const Map& map) {

@@ -39,7 +39,10 @@ std::vector<Level> levels(const Stack& stack); // by growing sigma
 // Throws Error(device) as the device does.
 Stack build(gpu::Device& device, const Map& map, std::vector<gpu::PassTime>* times = nullptr);
 
-// The same, a little at a time: for a window that goes on drawing meanwhile. On the device's thread.
+// The same for a program that runs again: read from the cache directory if an earlier run has kept it there (kept_stack.h).
+Stack build_or_load(gpu::Device& device, const Map& map);
+
+// That, a little at a time: for a window that goes on drawing meanwhile. On the device's thread.
 class Building {
 public:
   Building(gpu::Device& device, const Map& map);
@@ -49,9 +52,9 @@ public:
   double progress() const;    // of the work, 0 to 1
   const Stack& stack() const; // when all is done
 
+  class Builder; // of stack.cpp
+
 private:
-  class Builder;
-  friend Stack build(gpu::Device&, const Map&, std::vector<gpu::PassTime>*);
   std::unique_ptr<Builder> builder_;
 };
 

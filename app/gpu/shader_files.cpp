@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "gpu/shaders/compile.h"
+#include "gpu/shaders/module_cache.h"
 
 #include <filesystem>
 
@@ -15,6 +16,10 @@ std::vector<std::string> shader_files() {
     for (const char* extension : {".glsl", ".vert", ".frag", ".comp"})
       if (entry.path().extension() == extension) files.push_back(entry.path().string());
   return files;
+}
+
+std::string shader_text_hash(const std::string& stage_file) {
+  return shaders::text_hash(shaders::stage_path(stage_file));
 }
 
 int recompile_changed_shaders(Backend backend) {

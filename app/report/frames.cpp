@@ -32,7 +32,7 @@ public:
   Stage(gpu::Device& device, const Plan& plan, const Subject& subject, const Loaded& loaded)
       : device_(device), plan_(plan), subject_(subject), loaded_(loaded) {
     const std::size_t before = device.memory_bytes();
-    if (loaded.environment) stack_ = environment::build(device, *loaded.environment);
+    if (loaded.environment) stack_ = environment::build_or_load(device, *loaded.environment);
     environment_bytes_ = device.memory_bytes() - before;
   }
 
