@@ -1,5 +1,7 @@
 #include "needs/shapes.h"
 
+#include "needs/kept_hollows.h"
+
 #include <utility>
 #include <vector>
 
@@ -49,7 +51,7 @@ std::shared_ptr<const Proxies> Shapes::proxies() {
 }
 
 std::shared_ptr<const Hollows> Shapes::hollows() {
-  if (!hollows_) hollows_ = std::make_shared<const Hollows>(hollows_of(scene_, *proxies()));
+  if (!hollows_) hollows_ = std::make_shared<const Hollows>(hollows_kept_or_of(scene_, *proxies()));
   return hollows_;
 }
 

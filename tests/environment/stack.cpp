@@ -1,12 +1,15 @@
 // The Gaussian stack on the device against brute force, and what must be kept whatever the map.
 #include "environment/stack.h"
 
+#include "core/files.h"
 #include "environment/support.h"
+#include "support/cache_in.h"
 
 #include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 namespace gg::environment {
@@ -246,6 +249,40 @@ TEST(gaussian_stack, is_the_same_bytes_when_it_is_built_a_little_at_a_time) {
        {std::pair{a.even, b.even}, {a.odd, b.odd}, {a.irradiance, b.irradiance}})
     for (int level = 0; level < one->desc.levels; ++level)
       EXPECT_EQ(device().read(one, level, 3), device().read(other, level, 3));
+}
+
+// 256 rows: the least that is kept.
+TEST(kept_stack, is_read_back_the_same_and_made_again_where_it_is_damaged) {
+  const std::filesystem::path directory = test::empty_directory("kept-stack");
+  const test::CacheIn moved(directory);
+  const Map map = picture_of(512, soft_lights);
+  const Stack made = build_or_load(device(), map);
+  const auto files = [&] {
+    std::vector<std::filesystem::path> all;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(directory / "groundglass" / "environments"))
+      all.push_back(entry.path());
+    return all;
+  };
+  ASSERT_EQ(files().size(), 1u);
+  const auto sound = read_file(files()[0]);
+  for (const bool damaged : {false, true}) {
+    if (damaged) std::filesystem::resize_file(files()[0], sound.size() / 2);
+    const auto dispatches = device().counters().dispatches;
+    const Stack again = build_or_load(device(), map);
+    EXPECT_EQ(device().counters().dispatches > dispatches, damaged);
+    EXPECT_EQ(again.shape, made.shape);
+    for (const auto& [one, other] : {std::pair{made.even, again.even},
+                                     {made.odd, again.odd},
+                                     {made.irradiance, again.irradiance}})
+      for (int level = 0; level < one->desc.levels; ++level)
+        EXPECT_EQ(device().read(one, level, 3), device().read(other, level, 3));
+    EXPECT_TRUE(read_file(files()[0]) == sound);
+  }
+  Map brighter = map;
+  brighter.rgb[5] += 1.0f;
+  build_or_load(device(), brighter);
+  EXPECT_EQ(files().size(), 2u);
 }
 
 } // namespace

@@ -3,9 +3,9 @@
 
 #include "core/files.h"
 #include "core/sealed.h"
-#include "gpu/cache_in.h"
 #include "gpu/fixture.h"
 #include "gpu/shaders/compile.h"
+#include "support/cache_in.h"
 
 #include <chrono>
 #include <fstream>
@@ -58,8 +58,8 @@ void write(const fs::path& path, const std::string& text) {
 }
 
 TEST(module_cache, a_linked_stage_is_kept_and_read_back_the_same) {
-  const fs::path directory = empty_directory("module-cache");
-  const CacheIn moved(directory);
+  const fs::path directory = test::empty_directory("module-cache");
+  const test::CacheIn moved(directory);
   const std::vector<std::string> stages = {stage("square.comp")};
   const Program first = link("square", stages, {}, Backend::vulkan);
   ASSERT_EQ(files_in(directory).size(), 1u);
@@ -74,8 +74,8 @@ TEST(module_cache, a_linked_stage_is_kept_and_read_back_the_same) {
 }
 
 TEST(module_cache, a_damaged_file_is_made_again) {
-  const fs::path directory = empty_directory("module-cache-damaged");
-  const CacheIn moved(directory);
+  const fs::path directory = test::empty_directory("module-cache-damaged");
+  const test::CacheIn moved(directory);
   const std::vector<std::string> stages = {stage("square.comp")};
   const std::vector<std::uint32_t> words =
       link("square", stages, {}, Backend::opengl).modules[0].words;
@@ -91,8 +91,8 @@ TEST(module_cache, a_damaged_file_is_made_again) {
 
 // Of texts that the process has not read before: each is read once.
 TEST(module_cache, a_key_is_of_the_text_of_all_included_files_the_constants_and_the_api) {
-  const fs::path directory = empty_directory("module-cache-keys");
-  const CacheIn moved(directory);
+  const fs::path directory = test::empty_directory("module-cache-keys");
+  const test::CacheIn moved(directory);
   int count = 0;
   const auto key = [&](const std::string& inner, const std::vector<Constant>& constants,
                        Backend backend) {
@@ -113,8 +113,8 @@ TEST(module_cache, a_key_is_of_the_text_of_all_included_files_the_constants_and_
 }
 
 TEST(module_cache, past_its_most_files_the_oldest_go_at_the_first_that_is_stored) {
-  const fs::path directory = empty_directory("module-cache-full");
-  const CacheIn moved(directory);
+  const fs::path directory = test::empty_directory("module-cache-full");
+  const test::CacheIn moved(directory);
   const fs::path kept = directory / "groundglass" / "shaders";
   fs::create_directories(kept);
   for (int i = 0; i < 1000; ++i) {

@@ -1,7 +1,7 @@
 // The pipeline cache on disk: used where it is sound, ignored where it is not.
-#include "gpu/cache_in.h"
 #include "gpu/fixture.h"
 #include "gpu/vulkan/pipeline_cache.h"
+#include "support/cache_in.h"
 
 #include <cstring>
 #include <filesystem>
@@ -46,8 +46,8 @@ fs::path only_file(const fs::path& folder) {
 }
 
 TEST(vulkan_cache, is_written_when_the_device_is_closed_and_read_when_it_is_opened) {
-  const fs::path directory = empty_directory("vulkan-cache");
-  const CacheIn moved(directory);
+  const fs::path directory = test::empty_directory("vulkan-cache");
+  const test::CacheIn moved(directory);
   use_a_device();
   const fs::path folder = directory / "groundglass";
   ASSERT_TRUE(fs::is_directory(folder));
@@ -58,8 +58,8 @@ TEST(vulkan_cache, is_written_when_the_device_is_closed_and_read_when_it_is_open
 }
 
 TEST(vulkan_cache, a_damaged_file_is_replaced) {
-  const fs::path directory = empty_directory("vulkan-cache-damaged");
-  const CacheIn moved(directory);
+  const fs::path directory = test::empty_directory("vulkan-cache-damaged");
+  const test::CacheIn moved(directory);
   use_a_device();
   const fs::path file = only_file(directory / "groundglass");
   const auto size = fs::file_size(file);
@@ -69,9 +69,9 @@ TEST(vulkan_cache, a_damaged_file_is_replaced) {
 }
 
 TEST(vulkan_cache, where_it_cannot_be_written_nothing_happens) {
-  const fs::path directory = empty_directory("vulkan-cache-blocked");
+  const fs::path directory = test::empty_directory("vulkan-cache-blocked");
   std::ofstream(directory / "groundglass") << "a file where the folder should be";
-  const CacheIn moved(directory);
+  const test::CacheIn moved(directory);
   testing::internal::CaptureStderr();
   use_a_device();
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");

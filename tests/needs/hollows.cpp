@@ -1,13 +1,17 @@
 // How much of what a surface sees is its own body.
 #include "needs/hollows.h"
 
+#include "core/files.h"
+#include "needs/kept_hollows.h"
 #include "needs/needs.h"
 #include "render/shapes.h"
+#include "support/cache_in.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 namespace gg::test {
@@ -96,6 +100,33 @@ TEST(hollows, of_a_wall_on_a_floor_are_those_of_its_middle) {
 TEST(hollows, are_the_same_again) {
   const scene::Scene scene = facing_squares(0.7f);
   EXPECT_EQ(hollows(scene).streams.at(0).values, hollows(scene).streams.at(0).values);
+}
+
+TEST(hollows, are_kept_and_read_back_and_made_again_where_the_file_is_damaged) {
+  const std::filesystem::path directory = empty_directory("kept-hollows");
+  const CacheIn moved(directory);
+  scene::Scene scene = facing_squares(0.7f);
+  const auto kept = [&] { return needs::hollows_kept_or_of(scene, needs::proxies_of(scene)); };
+  const needs::Hollows made = kept();
+  const auto files = [&] {
+    std::vector<std::filesystem::path> all;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(directory / "groundglass" / "hollows"))
+      all.push_back(entry.path());
+    return all;
+  };
+  ASSERT_EQ(files().size(), 1u);
+  const auto sound = read_file(files()[0]);
+  for (const std::uintmax_t size : {sound.size(), sound.size() / 2, std::size_t{0}}) {
+    std::filesystem::resize_file(files()[0], size);
+    const needs::Hollows again = kept();
+    EXPECT_EQ(again.of, made.of);
+    EXPECT_EQ(again.streams.at(0).values, made.streams.at(0).values);
+    EXPECT_TRUE(read_file(files()[0]) == sound) << size;
+  }
+  scene.instances[0].world[3].y += 0.1f;
+  kept();
+  EXPECT_EQ(files().size(), 2u);
 }
 
 TEST(hollows, are_not_asked_for_by_the_standard_method_nor_without_an_environment) {

@@ -47,10 +47,14 @@ gpu::Device& Render::device() const {
   return shared_device(GetParam().backend, GetParam().surface);
 }
 
+frame::FrameDesc Render::lit(const Setup& setup) const {
+  frame::FrameDesc desc = setup.desc;
+  if (setup.environment) desc.environment.stack = &last_stack().of(device(), *setup.environment);
+  return desc;
+}
+
 image::Image Render::draw(const scene::Scene& scene, Setup setup) const {
-  if (setup.environment)
-    setup.desc.environment.stack = &last_stack().of(device(), *setup.environment);
-  frame::Renderer renderer(device(), scene, setup.desc);
+  frame::Renderer renderer(device(), scene, lit(setup));
   renderer.draw();
   image::Image picture = renderer.read();
   EXPECT_TRUE(is_finite(picture));

@@ -30,6 +30,8 @@ protected:
     std::optional<environment::Map> environment;
     frame::FrameDesc desc; // its environment's stack is filled in
   };
+  // With the environment's stack: until the next is asked for, or the test ends.
+  frame::FrameDesc lit(const Setup& setup) const;
   // Draws and reads back; every picture is scanned for NaN and Inf on the way.
   image::Image draw(const scene::Scene& scene, Setup setup) const;
 };

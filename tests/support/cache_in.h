@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace gg::gpu {
+namespace gg::test {
 
 // For as long as it lives.
 class CacheIn {
@@ -34,4 +34,4 @@ inline std::filesystem::path empty_directory(const char* name) {
   return directory;
 }
 
-} // namespace gg::gpu
+} // namespace gg::test
