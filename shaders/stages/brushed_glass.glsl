@@ -5,8 +5,14 @@
 // Needs    stages/material_features.glsl, interface/frame.glsl, bsdf/ggx_anisotropic.glsl.
 // Source   environment/stretched_lobe.glsl, drawn in place of summed.
 // Limits   a picture of one or two samples per pixel, `--method standard` and walls of no thickness have one lobe of the same
-//          variance of slopes.
+//          variance of slopes: nearer the truth than one of the width across on four of five models (tests/README.md).
 #include "environment/stretched_lobe.glsl"
+
+// Of wo to the normal, below which the share of facets is that at this cosine: a rim of 1e-8 of a ball's disc.
+const float LEAST_COSINE = 1e-4;
+// Of the brushing's part in the far face, squared: nearer than .06 degrees to its normal, brushing has no direction there that
+// survives the rounding of normals in the interior buffer.
+const float LEAST_ALONG2 = 1e-6;
 
 const bool leansByBrush = brushing > 0 && transmission == 2 && method > 0;
 
@@ -37,11 +43,14 @@ BrushedFacets facetsOfSample(vec3 n, vec3 wo, vec3 brush, vec2 widths, bool farF
     float slope = apart * s;
     float lean = 1.0 + slope * slope;
     f.n = (n - slope * brush) * inversesqrt(lean);
-    float across2 = STRETCHED_ACROSS * widths.y * widths.y * (1.0 + slope * slope / max(widths.x * widths.x, 1e-12)) / lean;
+    // slope² / widths.x² without a division that could be by 0: apart² is widths.x² - widths.y².
+    float narrow2 = widths.y * widths.y;
+    float steep2 = narrow2 < widths.x * widths.x ? s * s * (1.0 - narrow2 / (widths.x * widths.x)) : 0.0;
+    float across2 = STRETCHED_ACROSS * narrow2 * (1.0 + steep2) / lean;
     float along = apart * 2.0 * (1.0 + s * s) * sqrt(1.0 + s * s) * spacing / lean;
     f.alpha = min(sqrt(across2 + STRETCHED_ALONG * along * along), 1.0);
     // By the share of facets of that slope in what wo sees of all.
-    float z = max(dot(wo, n), 1e-4);
+    float z = max(dot(wo, n), LEAST_COSINE);
     float x = apart * dot(wo, brush);
     f.weight = max(dot(wo, f.n), 0.0) * sqrt(lean) / (0.5 * (z + sqrt(z * z + x * x)));
     return f;
@@ -51,6 +60,6 @@ BrushedFacets facetsOfSample(vec3 n, vec3 wo, vec3 brush, vec2 widths, bool farF
 BrushedFacets facetsOfFarFace(vec3 n, vec3 inside, vec3 brush, vec2 widths) {
     vec3 along = brush - dot(brush, n) * n;
     float size = dot(along, along);
-    if (!(size > 1e-6)) return levelFacets(n, widths); // its brushing is not known
+    if (!(size > LEAST_ALONG2)) return levelFacets(n, widths); // its brushing is not known
     return facetsOfSample(n, inside, along * inversesqrt(size), widths, true);
 }

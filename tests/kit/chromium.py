@@ -7,8 +7,8 @@ Needs Debian's chromium and npm, which fetches three.js at the kit's own version
 linear radiance; frame times are the least of interleaved frames, on Chromium's software WebGL. "trimmed": 1 %-trimmed;
 "to capture": relMSE against the same frame by `groundglass capture`. Fails if a kit's error is not below stock's by a factor of 4
 on each scene, with the tier that the instructions name for it. The references beside this file are `groundglass truth SCENE --size 160x160 --half`: wineglass.exr with --spp 2560 --seed 3,
-transmission-roughness.exr with --spp 256 and the camera below, ball-grid.exr with --spp 1870 --seed 7. (That of assets/references, 1024 samples,
-missed a lamp that one pixel of a smooth ball mirrors: nine tenths of what two path-traced pictures differ by lie there.)
+transmission-roughness.exr with --spp 256 and the camera below; the balls' is that of
+assets/references.
 """
 
 import argparse

@@ -73,7 +73,7 @@ TEST(references, rough_slabs_are_near_the_truth_and_far_nearer_than_standard_pra
 
 TEST(references, glass_balls_are_as_near_the_truth_as_they_were) {
   const std::vector<int> rough{5, 6, 7, 15, 16, 17}; // clear and amber, alpha .15 and more
-  EXPECT_LE(relmse(ball_grid, "lobes2", rough), 0.125) << advice;
+  EXPECT_LE(relmse(ball_grid, "lobes2", rough), 0.06) << advice;
 }
 
 } // namespace gg::test
