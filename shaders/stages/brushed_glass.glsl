@@ -19,7 +19,8 @@ const bool leansByBrush = brushing > 0 && transmission == 2 && method > 0;
 struct BrushedFacets {
     vec3 n;
     float alpha;
-    float weight; // of the light: 1 on average over what wo sees
+    float weight; // of the light: 1 on average over what wo sees, less what is shadowed along the brushing
+    float mirrors; // the same of what they reflect
 };
 
 BrushedFacets levelFacets(vec3 n, vec2 widths) {
@@ -27,12 +28,23 @@ BrushedFacets levelFacets(vec3 n, vec2 widths) {
     f.n = n;
     f.alpha = sqrt(0.5 * dot(widths, widths));
     f.weight = 1.0;
+    f.mirrors = 1.0;
     return f;
 }
 
-// wo: on n's side. Of each face a sample has its own slope, which goes neither with the other's nor with the part of lobes that it
-// stands for: on that spiral twice the angle for the near face, for the far one the radius.
-BrushedFacets facetsOfSample(vec3 n, vec3 wo, vec3 brush, vec2 widths, bool farFace) {
+// Shadowing of light that leaves facets about f.n by w: of the surface's widths about its own normal, over that of one facet's,
+// which the tables of an interface hold. side: 1 where w is on n's side, -1 on the other.
+float shadowingOver(BrushedFacets f, vec3 w, float side, vec3 n, vec3 brush, vec2 widths) {
+    vec3 local = vec3(dot(w, brush), dot(w, cross(n, brush)), side * dot(w, n));
+    if (!(local.z > 0.0)) return 0.0; // into the surface
+    float z = min(abs(dot(w, f.n)), 1.0);
+    float own = ggxG1(tilt(vec3(sqrt(1.0 - z * z), 0.0, z)), f.alpha);
+    return ggxAnisoG1(local, widths) / max(own, LEAST_COSINE);
+}
+
+// wo: on n's side; eta: of the other side over this. Of each face a sample has its own slope, which goes neither with the other's
+// nor with the part of lobes that it stands for: on that spiral twice the angle for the near face, for the far one the radius.
+BrushedFacets facetsOfSample(vec3 n, vec3 wo, vec3 brush, vec2 widths, float eta, bool farFace) {
     BrushedFacets f = levelFacets(n, widths);
     vec2 part = frame.part.xy;
     if (!(leansByBrush && frame.part.z < 1.0)) return f;
@@ -52,14 +64,17 @@ BrushedFacets facetsOfSample(vec3 n, vec3 wo, vec3 brush, vec2 widths, bool farF
     // By the share of facets of that slope in what wo sees of all.
     float z = max(dot(wo, n), LEAST_COSINE);
     float x = apart * dot(wo, brush);
-    f.weight = max(dot(wo, f.n), 0.0) * sqrt(lean) / (0.5 * (z + sqrt(z * z + x * x)));
+    float visible = max(dot(wo, f.n), 0.0) * sqrt(lean) / (0.5 * (z + sqrt(z * z + x * x)));
+    vec3 passed = refract(-wo, f.n, 1.0 / eta); // 0 past the critical angle
+    f.mirrors = visible * shadowingOver(f, reflect(-wo, f.n), 1.0, n, brush, widths);
+    f.weight = dot(passed, passed) > 0.0 ? visible * shadowingOver(f, passed, -1.0, n, brush, widths) : f.mirrors;
     return f;
 }
 
 // Of the face that `inside` comes to from within, n outward.
-BrushedFacets facetsOfFarFace(vec3 n, vec3 inside, vec3 brush, vec2 widths) {
+BrushedFacets facetsOfFarFace(vec3 n, vec3 inside, vec3 brush, vec2 widths, float invIor) {
     vec3 along = brush - dot(brush, n) * n;
     float size = dot(along, along);
     if (!(size > LEAST_ALONG2)) return levelFacets(n, widths); // its brushing is not known
-    return facetsOfSample(n, inside, along * inversesqrt(size), widths, true);
+    return facetsOfSample(n, inside, along * inversesqrt(size), widths, invIor, true);
 }

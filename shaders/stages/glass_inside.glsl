@@ -113,7 +113,7 @@ InnerArrival reachFace(Surface s, InnerArrival before, InnerLobe ray, float invI
     if (leansByBrush) {
         vec2 widths = vec2(s.along, s.across);
         if (ofPixel(material.transmission.y) >= 0.0) widths = ggxAnisoWidths(material.transmission.y, material.anisotropy.x);
-        BrushedFacets f = facetsOfFarFace(a.face.n, ray.direction, s.brush, widths);
+        BrushedFacets f = facetsOfFarFace(a.face.n, ray.direction, s.brush, widths, invIor);
         a.face.n = f.n;
         a.face.alpha = f.alpha;
         a.ray.weight *= f.weight;

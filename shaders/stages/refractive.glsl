@@ -39,7 +39,7 @@ vec4 refractiveColor(vec4 base) {
     MirrorLobes mirror = noMirror(s);
     if (hasEnvironment) {
         EnvironmentLight light = environmentLobe(s);
-        light.weight *= leaves * s.facets;
+        light.weight *= leaves * s.mirrors;
         light.diffuse *= leaves;
         mirror = mirrorLobes(s, light);
         radiance += light.diffuse;
@@ -86,6 +86,6 @@ vec4 refractiveColor(vec4 base) {
             radiance += mask * glassRadiance(lobes, reflected);
         }
     }
-    if (hasLights) radiance += leaves * s.facets * punctualLight(s);
+    if (hasLights) radiance += leaves * s.mirrors * punctualLight(s);
     return vec4(radiance * coverage, coverage);
 }

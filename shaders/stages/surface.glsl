@@ -41,7 +41,8 @@ struct Surface {
     float along;
     vec3 level;        // of brushed glass: n before it leans along the brushing (stages/brushed_glass.glsl); n elsewhere
     float across;      // and the width across it
-    float facets;      // what the facets of this sample weigh; 1 elsewhere
+    float facets;      // what the facets of this sample weigh, in what passes and in what is reflected; 1 elsewhere
+    float mirrors;
     float filmShare;   // KHR_materials_iridescence
     float filmThickness; // nanometres
     vec3 passedColor;  // KHR_materials_diffuse_transmission: of the base's light that comes out on the other side
@@ -114,10 +115,13 @@ vec3 faceViewer(vec3 n, vec3 wo) {
 
 void leanAlongBrush(inout Surface s) {
     s.across = s.alpha;
-    BrushedFacets f = facetsOfSample(s.n, s.wo, s.brush, vec2(s.along, s.across), false);
+    float ior = material.surface.w;
+    float eta = seenFromWithin && !gl_FrontFacing ? 1.0 / ior : ior;
+    BrushedFacets f = facetsOfSample(s.n, s.wo, s.brush, vec2(s.along, s.across), eta, false);
     s.n = faceViewer(f.n, s.wo);
     s.alpha = f.alpha;
     s.facets = f.weight;
+    s.mirrors = f.mirrors;
 }
 
 // KHR_materials_iridescence.
@@ -201,6 +205,7 @@ Surface readSurface(vec4 base) {
     s.turn = turnOverPixel(reflect(-s.wo, s.n));
     s.level = s.n;
     s.facets = 1.0;
+    s.mirrors = 1.0;
     if (brushing > 0) readBrushing(s);
     if (brushing > 0 && transmission > 0) leanAlongBrush(s);
     if (hasFilm) readFilm(s);

@@ -4,6 +4,7 @@
 #include "render/head_on.h"
 #include "scene/framing.h"
 #include "scene/load.h"
+#include "truth/environment_light.h"
 #include "truth/integrator.h"
 
 #include <cmath>
@@ -255,6 +256,38 @@ TEST_P(Render, what_extensions_say_of_dielectrics_is_what_the_path_tracer_takes_
           << m.clearcoat << ", brushing " << m.anisotropy_strength;
     }
   }
+}
+
+// In a white furnace a body of glass shows what of the light its faces do not shadow: steep facets along the brushing shadow much,
+// and those of one slope alone little (without the former the ball was a third too bright).
+TEST_P(Render, brushed_glass_loses_to_shadowing_what_paths_lose) {
+  scene::Material m = glass(std::sqrt(0.2f));
+  m.anisotropy_strength = 0.6f;
+  const scene::Scene scene = ball(m);
+  const environment::Map white = environment::constant(glm::vec3(1.0f));
+  const frame::FrameDesc desc{.width = size,
+                              .height = size,
+                              .samples = 16,
+                              .camera = camera_at({0, 0, 4}),
+                              .method = frame::Method::lobes2};
+  const image::Image picture = draw(scene, {white, desc});
+  const truth::EnvironmentLight light(white, 0.0, 1.0);
+  const truth::Integrator integrator(scene, &light, std::nullopt, {});
+  double drawn = 0.0, traced = 0.0;
+  int pixels = 0;
+  for (int y = 1; y < size; y += 3)
+    for (int x = 1; x < size; x += 3) {
+      const glm::dvec3 eye(desc.camera.world[3]), d = view_direction(desc.camera, size, size, x, y);
+      if (!hit_ball(eye, d)) continue;
+      drawn += rgb(picture, x, y).x;
+      constexpr int paths = 128; // in all some 10,000: a noise of half a hundredth
+      truth::Random random(1, static_cast<std::uint64_t>(y * size + x), 0);
+      for (int i = 0; i < paths; ++i)
+        traced += integrator.trace({eye, d}, random).radiance.x / paths;
+      ++pixels;
+    }
+  ASSERT_GT(pixels, 50);
+  EXPECT_NEAR(drawn / traced, 1.0, 0.08) << traced / pixels << ": the lobes' own error";
 }
 
 } // namespace gg::test
