@@ -154,8 +154,9 @@ void Draws::record(gpu::Encoder& encoder, const Recorded& recorded) const {
     encoder.vertices(static_cast<int>(k), uploaded_.stream(draw.inputs[k].stream));
   encoder.cull(recorded.cull);
   encoder.front_is_clockwise(draw.mirrored);
-  encoder.indices(uploaded_.indices(draw.primitive->indices));
-  encoder.draw_indexed(static_cast<std::uint32_t>(draw.index_count));
+  const UploadedScene::Triangles triangles = uploaded_.triangles(draw);
+  encoder.indices(triangles.indices);
+  encoder.draw_indexed(static_cast<std::uint32_t>(triangles.count));
 }
 
 void Draws::record(gpu::Encoder& encoder, const Records& records) const {

@@ -40,6 +40,9 @@ public:
     shapes_.geometry_changed();
     uploaded_.forget_geometry();
   }
+  // Before set(): meshes may be drawn with fewer triangles where their error is under half a pixel (frame/detail.h); null, as it is
+  // at first: they are drawn whole. The lists outlive the renderer or the next call.
+  void use_coarse(const scene::CoarseLists* lists) { uploaded_.use_coarse(lists); }
   void forget_pipelines() { draws_.forget(); } // before set(): shaders have changed
 
   // Draws the frame. With `times`, adds what each pass took, summed over the samples, under its

@@ -1,5 +1,6 @@
 #include "frame/uploaded_scene.h"
 
+#include "frame/detail.h"
 #include "frame/neighbour_blocks.h"
 
 #include <array>
@@ -165,6 +166,26 @@ void UploadedScene::upload_geometry() {
   for (const scene::Index i : needs_->index_lists)
     upload(indices_[i], "indices ", i, bytes(needs_->scene->indices[static_cast<std::size_t>(i)]),
            gpu::Use::indices);
+  coarsely_drawn_.clear();
+  if (!coarse_) return;
+  for (const needs::Draw& draw : needs_->draws.all) {
+    const scene::Index i = draw.primitive->indices;
+    const auto list = coarse_->find(i);
+    if (list == coarse_->end()
+        || !is_enough(list->second, draw, *needs_->draws.instances[draw.instance_index],
+                      needs_->view))
+      continue;
+    upload(coarse_indices_[i], "coarse indices ", i, bytes(list->second.indices),
+           gpu::Use::indices);
+    coarsely_drawn_.insert(&draw);
+  }
+}
+
+UploadedScene::Triangles UploadedScene::triangles(const needs::Draw& draw) const {
+  const scene::Index i = draw.primitive->indices;
+  if (coarsely_drawn_.contains(&draw))
+    return {coarse_indices_.at(i), coarse_->at(i).indices.size()};
+  return {indices_.at(i), draw.index_count};
 }
 
 void UploadedScene::upload_blocks() {

@@ -5,10 +5,12 @@
 #include "frame/uniform_array.h"
 #include "gpu/device.h"
 #include "needs/needs.h"
+#include "scene/coarse.h"
 #include "scene/scene.h"
 #include "uniforms/blocks.h"
 
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -28,13 +30,19 @@ public:
   void set(const needs::Needs& needs);
 
   void forget_geometry() {
-    streams_.clear(), indices_.clear();
+    streams_.clear(), indices_.clear(), coarse_indices_.clear();
   } // before set(): meshes have changed
+  // Before set(): lists that may stand for others, which outlive this or the next call; null: none do.
+  void use_coarse(const scene::CoarseLists* lists) { coarse_ = lists; }
 
   const needs::Needs& needs() const { return *needs_; }
   // Of what the needs list.
   const gpu::BufferRef& stream(scene::Index i) const { return streams_.at(i); }
-  const gpu::BufferRef& indices(scene::Index i) const { return indices_.at(i); }
+  struct Triangles {
+    const gpu::BufferRef& indices;
+    std::size_t count = 0; // of indices
+  };
+  Triangles triangles(const needs::Draw& draw) const;
   UploadedTexture texture(const needs::Map& map) const;
   std::vector<gpu::View> sampled() const; // all images
   const UniformArray& materials() const { return materials_; }
@@ -50,7 +58,9 @@ private:
 
   gpu::Device& device_;
   const needs::Needs* needs_ = nullptr;
-  std::map<scene::Index, gpu::BufferRef> streams_, indices_;
+  std::map<scene::Index, gpu::BufferRef> streams_, indices_, coarse_indices_;
+  const scene::CoarseLists* coarse_ = nullptr;
+  std::set<const needs::Draw*> coarsely_drawn_;
   UniformArray materials_, instances_, neighbours_;
   std::map<const needs::Draw*, std::size_t> neighbour_blocks_; // of draws that have neighbours
   ImageMeans image_means_;

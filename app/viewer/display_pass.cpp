@@ -25,6 +25,8 @@ DisplayPass::DisplayPass(gpu::Device& device)
       block_(device.create(gpu::BufferDesc{"display", sizeof(DisplayData), gpu::Use::uniforms})),
       picked_block_(
           device.create(gpu::BufferDesc{"picked", sizeof(glm::mat4), gpu::Use::uniforms})),
+      outline_block_(
+          device.create(gpu::BufferDesc{"outline", sizeof(glm::vec4), gpu::Use::uniforms})),
       nothing_(device.create(gpu::TextureDesc{.label = "nothing", .format = gpu::Format::rgba8})) {}
 
 void DisplayPass::make_target(int width, int height) {
@@ -52,10 +54,10 @@ const gpu::PipelineRef& DisplayPass::pipeline(frame::ToneMap tone_map, bool besi
 
 const gpu::TextureRef& DisplayPass::draw(const Show& show) {
   make_target(show.width, show.height);
-  const bool outlined = show.outline > 0.0f && !picked_.empty() && mask_;
+  const bool outlined = outline_ != nullptr;
   DisplayData data{};
   data.area = {static_cast<float>(show.picture_width), static_cast<float>(show.picture_height),
-               outlined ? show.outline : 0.0f, 0.0f};
+               0.0f, 0.0f};
   data.picture = {show.factor, 0.0f, 0.0f, 0.0f};
   data.other = {1.0f, 0.0f, 1.0f, 0.0f};
   if (show.beside)
@@ -65,18 +67,18 @@ const gpu::TextureRef& DisplayPass::draw(const Show& show) {
   data.around = around;
   device_.upload(block_, 0, bytes_of(data));
   const gpu::TextureRef other = show.beside ? show.beside->texture : nothing_;
-  const gpu::TextureRef mask = outlined ? mask_ : nothing_;
+  const gpu::TextureRef outline = outlined ? outline_ : nothing_;
   const gpu::TextureRef picture = show.picture ? show.picture : nothing_;
   const gpu::PipelineRef& display = pipeline(show.tone_map, show.beside.has_value(), outlined);
   gpu::Pass pass{.label = "display",
                  .colors = {{.view = gpu::whole(target_)}},
-                 .reads = {gpu::whole(picture), gpu::whole(other), gpu::whole(mask)},
+                 .reads = {gpu::whole(picture), gpu::whole(other), gpu::whole(outline)},
                  .record = [&](gpu::Encoder& encoder) {
                    encoder.use(display);
                    encoder.buffer("Display", block_);
                    encoder.texture("pictureColor", gpu::whole(picture), linear_);
                    encoder.texture("otherColor", gpu::whole(other), linear_);
-                   encoder.texture("pickedMask", gpu::whole(mask), linear_);
+                   encoder.texture("pickedOutline", gpu::whole(outline), linear_);
                    encoder.draw(3);
                  }};
   device_.run(std::span(&pass, 1));
@@ -85,6 +87,8 @@ const gpu::TextureRef& DisplayPass::draw(const Show& show) {
 
 void DisplayPass::pick(const scene::Scene& scene, scene::Index instance) {
   picked_.clear();
+  outline_.reset();
+  outlined_ = {};
   if (instance == scene::none) return;
   const scene::Instance& placed = scene.instances[static_cast<std::size_t>(instance)];
   world_ = placed.world;
@@ -113,33 +117,62 @@ void DisplayPass::pick(const scene::Scene& scene, scene::Index instance) {
                           .attributes = {{.location = 0, .components = 3, .binding = 0}},
                           .colors = {gpu::Format::r8},
                           .cull = gpu::Cull::none});
+  if (!outline_pipeline_)
+    outline_pipeline_ = device_.create(gpu::PipelineDesc{.label = "picked outline",
+                                                         .vertex = "fullscreen.vert",
+                                                         .fragment = "picked_outline.frag",
+                                                         .colors = {gpu::Format::r8}});
 }
 
-void DisplayPass::see(const scene::Camera& camera, int width, int height) {
+void DisplayPass::see(const scene::Camera& camera, int width, int height, float outline,
+                      bool moving) {
   if (picked_.empty()) return;
-  if (!mask_ || mask_->desc.width != width || mask_->desc.height != height)
-    mask_ = device_.create(gpu::TextureDesc{.label = "picked",
-                                            .format = gpu::Format::r8,
-                                            .width = width,
-                                            .height = height,
-                                            .use = gpu::Use::attachment | gpu::Use::sampled});
   const double aspect = static_cast<double>(width) / height;
   const glm::mat4 clip(uniforms::clip_from_view(camera, aspect) * uniforms::view_from_world(camera)
                        * glm::dmat4(world_));
+  if (moving) {
+    width = std::max(width / 2, 1), height = std::max(height / 2, 1);
+    outline *= 0.5f;
+  }
+  Outlined& to = outlined_[moving];
+  const bool fits = to.mask && to.mask->desc.width == width && to.mask->desc.height == height;
+  if (!fits)
+    for (gpu::TextureRef* texture : {&to.mask, &to.outline})
+      *texture = device_.create(gpu::TextureDesc{.label = "picked",
+                                                 .format = gpu::Format::r8,
+                                                 .width = width,
+                                                 .height = height,
+                                                 .use = gpu::Use::attachment | gpu::Use::sampled});
+  outline_ = to.outline;
+  if (fits && to.clip_from_mesh == clip) return;
+  to.clip_from_mesh = clip;
   device_.upload(picked_block_, 0, bytes_of(clip));
-  gpu::Pass pass{
-      .label = "picked",
-      .colors = {{.view = gpu::whole(mask_), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}}},
-      .record = [this](gpu::Encoder& encoder) {
-        encoder.use(mask_pipeline_);
-        encoder.buffer("Picked", picked_block_);
-        for (const Part& part : picked_) {
-          encoder.vertices(0, part.positions);
-          encoder.indices(part.indices);
-          encoder.draw_indexed(part.count);
-        }
-      }};
-  device_.run(std::span(&pass, 1));
+  device_.upload(
+      outline_block_, 0,
+      bytes_of(glm::vec4(static_cast<float>(width), static_cast<float>(height), outline, 0.0f)));
+  const gpu::Pass passes[] = {
+      {.label = "picked mask",
+       .colors = {{.view = gpu::whole(to.mask), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}}},
+       .record =
+           [this](gpu::Encoder& encoder) {
+             encoder.use(mask_pipeline_);
+             encoder.buffer("Picked", picked_block_);
+             for (const Part& part : picked_) {
+               encoder.vertices(0, part.positions);
+               encoder.indices(part.indices);
+               encoder.draw_indexed(part.count);
+             }
+           }},
+      {.label = "picked outline",
+       .colors = {{.view = gpu::whole(to.outline)}},
+       .reads = {gpu::whole(to.mask)},
+       .record = [&, this](gpu::Encoder& encoder) {
+         encoder.use(outline_pipeline_);
+         encoder.buffer("Outline", outline_block_);
+         encoder.texture("pickedMask", gpu::whole(to.mask), linear_);
+         encoder.draw(3);
+       }}};
+  device_.run(passes);
 }
 
 gpu::TextureRef upload(gpu::Device& device, const image::Image& image, const char* label) {

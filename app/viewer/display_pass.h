@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -36,14 +37,15 @@ public:
     float factor = 1.0f;     // on its values, the exposure's included
     frame::ToneMap tone_map = frame::ToneMap::neutral;
     std::optional<Beside> beside;
-    float outline = 0.0f; // pixels; of what outline() was told
   };
   // RGBA8, as large as the window.
   const gpu::TextureRef& draw(const Show& show);
 
-  // What is outlined from now on: an instance as the camera sees it; none clears it.
+  // What is outlined from now on: an instance; none clears it.
   void pick(const scene::Scene& scene, scene::Index instance);
-  void see(const scene::Camera& camera, int width, int height); // draws the mask of what is picked
+  // Draws its outline as the camera sees it, `outline` pixels wide in a picture of this size; in motion at half of that. Nothing is
+  // drawn where it would be the same.
+  void see(const scene::Camera& camera, int width, int height, float outline, bool moving);
 
 private:
   void make_target(int width, int height);
@@ -52,9 +54,15 @@ private:
   gpu::Device& device_;
   gpu::SamplerRef linear_;
   std::map<std::tuple<frame::ToneMap, bool, bool>, gpu::PipelineRef> display_;
-  gpu::PipelineRef mask_pipeline_;
-  gpu::BufferRef block_, picked_block_;
-  gpu::TextureRef target_, mask_, nothing_;
+  gpu::PipelineRef mask_pipeline_, outline_pipeline_;
+  gpu::BufferRef block_, picked_block_, outline_block_;
+  gpu::TextureRef target_, nothing_;
+  struct Outlined {
+    gpu::TextureRef mask, outline;
+    glm::mat4 clip_from_mesh{0.0f}; // that they were drawn by
+  };
+  std::array<Outlined, 2> outlined_; // at rest, in motion
+  gpu::TextureRef outline_;          // of what was seen last; null: there is none
   struct Part {
     gpu::BufferRef positions, indices;
     std::uint32_t count = 0;

@@ -60,7 +60,7 @@ frame::FrameDesc Application::frame_desc(double scale, int samples) const {
 void Application::restart(bool quick) {
   session_.scale = quick ? pace_.scale() : 1.0;
   picture_->set(frame_desc(session_.scale, quick ? 1 : session_.view.samples), !quick);
-  display_->see(session_.camera, width_, height_);
+  display_->see(session_.camera, width_, height_, outline_width * window_->scale(), quick);
   debug_shown_.reset();
   stale_ = false;
   quick_ = quick;
@@ -120,7 +120,7 @@ void Application::draw() {
   const scene::Index picked = session_.picked ? session_.picked->instance : scene::none;
   if (outlined_ != picked) {
     display_->pick(*session_.scene, picked);
-    display_->see(session_.camera, width_, height_);
+    display_->see(session_.camera, width_, height_, outline_width * window_->scale(), quick_);
     outlined_ = picked;
     planned_ = false; // its sliders may be next
   }
@@ -271,8 +271,6 @@ gpu::TextureRef Application::compose() {
   } else {
     show.picture_width = show.picture_height = 0;
   }
-  if (outlined_.value_or(scene::none) != scene::none)
-    show.outline = outline_width * window_->scale();
   return display_->draw(show);
 }
 

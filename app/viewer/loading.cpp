@@ -73,6 +73,8 @@ Loading::Done Loading::read(const Job& job) const {
   Done done{.view = job.view, .pose = job.pose};
   try {
     if (job.scene) done.scene = std::make_shared<scene::Scene>(commands_.load_scene(job.view));
+    if (job.scene && !job.pose)
+      done.coarse = std::make_shared<const scene::CoarseLists>(scene::coarse_lists(*done.scene));
     if (!job.pose)
       done.map = commands_.load_environment(job.view, done.scene ? *done.scene : *job.current);
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,7 @@
 // Reading scenes and environments on a thread of its own.
 #pragma once
 
+#include "scene/coarse.h"
 #include "viewer/view.h"
 
 #include <condition_variable>
@@ -32,10 +33,11 @@ public:
   struct Done {
     View view;
     bool pose = false;
-    std::shared_ptr<scene::Scene> scene; // null if the environment alone was asked for
-    std::optional<environment::Map> map; // none: no environment
-    std::exception_ptr failure;          // not null: nothing was read,
-    std::string error;                   // and this is why
+    std::shared_ptr<scene::Scene> scene;              // null if the environment alone was asked for
+    std::shared_ptr<const scene::CoarseLists> coarse; // of it; null with another time of it
+    std::optional<environment::Map> map;              // none: no environment
+    std::exception_ptr failure;                       // not null: nothing was read,
+    std::string error;                                // and this is why
   };
   std::optional<Done> take();
   bool ready() const;        // there is something to take

@@ -120,7 +120,7 @@ void Application::adopt(Loading::Done done) {
     session_.picked.reset();
     outlined_.reset();
     display_->pick(*session_.scene, scene::none);
-    picture_->open(session_.scene);
+    picture_->open(session_.scene, std::move(done.coarse));
     debug_.reset(); // it draws the scene before
     sight_.reset();
     debug_shown_.reset();

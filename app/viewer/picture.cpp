@@ -4,9 +4,11 @@
 
 namespace gg::viewer {
 
-void Picture::open(std::shared_ptr<const scene::Scene> scene) {
+void Picture::open(std::shared_ptr<const scene::Scene> scene,
+                   std::shared_ptr<const scene::CoarseLists> coarse) {
   renderer_.reset(); // before the scene that it reads
   scene_ = std::move(scene);
+  coarse_ = std::move(coarse);
   drawn_scene_ = std::make_shared<Drawn>(*scene_);
 }
 
@@ -30,6 +32,10 @@ void Picture::pose(std::shared_ptr<const scene::Scene> scene) {
   const bool moved_alone = same_vertices(*scene_, *scene);
   scene_ = std::move(scene);
   Drawn& drawn = *drawn_scene_;
+  if (drawn.scene.indices != scene_->indices) { // the file is another
+    coarse_.reset();
+    if (renderer_) renderer_->use_coarse(nullptr);
+  }
   drawn.scene = *scene_;
   drawn.origin.emplace(drawn.scene);
   drawn.origin->move_to(drawn.at);
@@ -61,8 +67,10 @@ void Picture::set(frame::FrameDesc desc, bool exact) {
   }
   place(desc_);
   put(scene_->materials);
+  exact_ = exact;
   if (renderer_) {
     if (exact) renderer_->scene_changed();
+    renderer_->use_coarse(exact ? nullptr : coarse_.get());
     renderer_->set(desc_);
   } else {
     renderer_ = std::make_unique<frame::Renderer>(device_, drawn.scene, desc_);
@@ -108,11 +116,13 @@ std::vector<gpu::PipelineDesc> Picture::missing(frame::FrameDesc desc, const Mat
 void Picture::set_unseen(frame::FrameDesc desc, const Materials* materials) {
   place(desc);
   if (materials) put(*materials);
+  renderer_->use_coarse(coarse_.get());
   renderer_->set(desc);
 }
 
 void Picture::set_seen() {
   put(scene_->materials);
+  renderer_->use_coarse(exact_ ? nullptr : coarse_.get());
   renderer_->set(desc_);
 }
 

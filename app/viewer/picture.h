@@ -5,6 +5,7 @@
 #include "frame/renderer.h"
 #include "gpu/device.h"
 #include "image/image.h"
+#include "scene/coarse.h"
 #include "scene/origin.h"
 #include "scene/scene.h"
 
@@ -22,7 +23,9 @@ public:
 
   // Replaces what is drawn; the map may be null. Nothing is drawn before set(). Throws Error. Of the scene a copy is drawn, whose
   // origin is where the camera is.
-  void open(std::shared_ptr<const scene::Scene> scene);
+  // `coarse` is used in motion.
+  void open(std::shared_ptr<const scene::Scene> scene,
+            std::shared_ptr<const scene::CoarseLists> coarse);
   void open_as(const Picture& other); // the same copy: both have one camera
   // The same scene at another time of its animation.
   void pose(std::shared_ptr<const scene::Scene> scene);
@@ -31,7 +34,7 @@ public:
   void set_light(float rotation, float intensity); // radians; of the environment
   // Starts again with this camera, size, method and number of samples, and the scene's materials as they are by now; `desc`'s
   // environment is the picture's own. `exact`: as capture draws it, to the bit; otherwise the origin stays where it was, and what
-  // is worked out for the whole scene with it.
+  // is worked out for the whole scene with it, and meshes have the triangles that the size shows.
   void set(frame::FrameDesc desc, bool exact);
 
   // Shaders have changed: the next set() compiles what it draws with.
@@ -77,6 +80,8 @@ private:
   gpu::Device& device_;
   std::shared_ptr<const scene::Scene> scene_;
   std::shared_ptr<Drawn> drawn_scene_;
+  std::shared_ptr<const scene::CoarseLists> coarse_;
+  bool exact_ = true;                                             // of the last set()
   std::shared_ptr<const environment::Stack> stack_, drawn_stack_; // of the last set()
   float rotation_ = 0.0f, intensity_ = 1.0f;
   frame::FrameDesc desc_;

@@ -11,7 +11,7 @@ layout(constant_id = 2) const bool hasOutline = false;
 
 layout(binding = 1) uniform sampler2D pictureColor;
 layout(binding = 2) uniform sampler2D otherColor;
-layout(binding = 3) uniform sampler2D pickedMask;
+layout(binding = 3) uniform sampler2D pickedOutline;
 
 layout(location = 0) out vec4 outColor;
 
@@ -23,19 +23,6 @@ vec3 toneMapped(vec3 radiance) {
 }
 
 vec3 encoded(vec3 radiance) { return srgbFromLinearRgb(toneMapped(radiance)); }
-
-// 1 beside what is picked, within the outline's width.
-float outline(vec2 at) {
-    float width = display.area.z;
-    vec2 size = display.area.xy;
-    if (textureLod(pickedMask, at / size, 0.0).x > 0.5) return 0.0;
-    float near = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        float angle = 0.78539816 * float(i);
-        near = max(near, textureLod(pickedMask, (at + width * vec2(cos(angle), sin(angle))) / size, 0.0).x);
-    }
-    return near;
-}
 
 void main() {
     vec2 at = gl_FragCoord.xy;
@@ -51,6 +38,6 @@ void main() {
     if (hasOther && other) color = textureLod(otherColor, uv, 0.0).xyz * display.other.x;
     color = hasOther && other && display.other.y > 0.5 ? color : encoded(color);
     if (hasOther && abs(at.x - display.other.z * size.x) < 1.0 && display.other.z > 0.0 && display.other.z < 1.0) color = vec3(1.0);
-    if (hasOutline) color = mix(color, vec3(1.0, 0.62, 0.16), outline(uv * size));
+    if (hasOutline) color = mix(color, vec3(1.0, 0.62, 0.16), textureLod(pickedOutline, uv, 0.0).x);
     outColor = vec4(color, 1.0);
 }
