@@ -29,11 +29,11 @@ glm::dvec3 across(const glm::dvec3& n) {
 } // namespace
 
 Closure::Closure(const Interface& interface, const glm::dvec3& n, const glm::dvec3& wo,
-                 double power)
+                 const Arriving& arriving)
     : i_(interface), facets_(facets_of(interface)),
       coat_facets_(interface.distribution, interface.coat ? interface.coat->alpha : 0.0,
                    interface.smith),
-      n_(n), wo_(wo), power_(power), dielectric_(1.0 - interface.metallic) {
+      n_(n), wo_(wo), arriving_(arriving), dielectric_(1.0 - interface.metallic) {
   // An index of 0 or infinity (glTF's "always reflect", seen from either side) is a mirror.
   if (!(i_.eta > 0.0 && std::isfinite(i_.eta))) i_.eta = 0.0;
   refracts_ = i_.eta > 0.0 && dielectric_ > 0.0 && largest(i_.transmit) > 0.0;
@@ -166,7 +166,7 @@ Closure::Chances Closure::chances(const Fresnel& f) const {
   if (!refracts_) return {};
   const double reflected = largest(f.reflected);
   const double refracted = dielectric_ * largest(i_.transmit * f.refracted);
-  if (power_ * std::min(reflected, refracted) >= worth_following) return {1.0, 1.0};
+  if (arriving_.power * std::min(reflected, refracted) >= worth_following()) return {1.0, 1.0};
   const double sum = reflected + refracted;
   return sum > 0.0 ? Chances{reflected / sum, refracted / sum} : Chances{};
 }

@@ -83,15 +83,28 @@ private:
   std::size_t count_ = 0;
 };
 
+// The path to an interface: the power that it carries, of what a camera's path starts with, and how often it was
+// scattered before.
+struct Arriving {
+  double power = 0.0; // in [0, 1]; 0: it is never split
+  int bounces = 0;
+};
+
 // Of the power that a camera's path starts with: what is worth following by itself. A path that
-// carries more is never ended by chance, and is split where both parts would carry as much.
-inline constexpr double worth_following = 1.0 / 64.0;
+// carries more is never ended by chance, and is split where both parts would carry as much. Behind a
+// rough interface, where light is gathered, less is: there branches cost more than they tell from the third on. A smooth one
+// sends on whatever light there is, and what few paths find would be fireflies.
+inline double worth_following(bool smooth, int bounces) {
+  constexpr double least = 1.0 / 64.0;
+  if (smooth || bounces == 0) return least;
+  return bounces == 1 ? 1.0 / 16.0 : 1.0 / 4.0;
+}
 
 class Closure {
 public:
-  // n: unit, dot(n, wo) >= 0. power: that the path to it carries, in [0, 1]; 0: it is never split.
+  // n: unit, dot(n, wo) >= 0.
   Closure(const Interface& interface, const glm::dvec3& n, const glm::dvec3& wo,
-          double power = 0.0);
+          const Arriving& arriving = {});
 
   Scattered evaluate(const glm::dvec3& wi) const;
   // Directions with a density near that of f_cos. Each counts whole, with its weight.
@@ -110,6 +123,9 @@ public:
   // At a facet that wo meets at this angle.
   Fresnel fresnel(double cos_near) const;
   const Interface& interface() const { return i_; }
+  double worth_following() const {
+    return truth::worth_following(lobe_is_delta_, arriving_.bounces);
+  }
   const glm::dvec3& n() const { return n_; }
 
 private:
@@ -135,7 +151,7 @@ private:
   Interface i_;
   Microfacets facets_, coat_facets_;
   glm::dvec3 n_, x_, y_, wo_;
-  double power_;
+  Arriving arriving_;
   double dielectric_; // share of what is not metal
   bool refracts_;     // light can pass
   bool lobe_is_delta_;

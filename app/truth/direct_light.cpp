@@ -147,13 +147,13 @@ glm::dvec3 Integrator::straight_through(const Crossing& crossing, const Ray& ray
     Intersection m{.surface = s, .wo = s.wo};
     m.ior_before = media_.ior(medium, channel);
     m.ior_beyond = static_cast<double>(s.material->ior);
-    const Closure outer = closure_at(m, 0.0);
+    const Closure outer = closure_at(m, {});
     const double under =
         s.coat ? 1.0 - glsl::f64::coatShare(s.coat->strength, glm::dot(s.coat->n, s.wo)) : 1.0;
     const glm::dvec3 first = outer.fresnel(glm::dot(outer.n(), s.wo)).refracted;
     m.surface.metallic = 0.0;
     m.surface.film.reset();
-    const Closure::Fresnel f = closure_at(m, 0.0).fresnel(glm::dot(outer.n(), s.wo));
+    const Closure::Fresnel f = closure_at(m, {}).fresnel(glm::dot(outer.n(), s.wo));
     const glm::dvec3 kept = glm::dvec3(1.0) - f.reflected * f.reflected;
     glm::dvec3 wall(0.0);
     for (int c = 0; c < 3; ++c)

@@ -149,7 +149,7 @@ void Integrator::add(Walk& walk, const Path& path, const glm::dvec3& radiance) c
 // Russian roulette: what is worth following by itself goes on, what carries less as often as it
 // carries of that. Light that is caught in a lossless solid must stop too; from a length that few
 // paths reach, one in fifty ends at each bounce.
-bool Integrator::survives(Walk& walk, Path& path) const {
+bool Integrator::survives(Walk& walk, Path& path, double worth_following) const {
   constexpr int long_path = 64;
   constexpr double at_most = 0.98;
   ++path.bounces;
@@ -171,7 +171,7 @@ Interface Integrator::interface_at(const Surface& s, double near_ior, double far
   return i;
 }
 
-Closure Integrator::closure_at(const Intersection& intersection, double power) const {
+Closure Integrator::closure_at(const Intersection& intersection, const Arriving& arriving) const {
   using Face = Intersection::Face;
   const Surface& s = intersection.surface;
   const glm::dvec3 n = intersection.by_triangle ? s.geometric : s.n;
@@ -181,7 +181,7 @@ Closure Integrator::closure_at(const Intersection& intersection, double power) c
     return Closure(interface_at(s, intersection.ior_before, intersection.ior_beyond, tint,
                                 intersection.from_within()),
                    intersection.by_triangle ? face_viewer(n, intersection.wo) : n, intersection.wo,
-                   power);
+                   arriving);
   }
   // A wall is one surface, of which the clear share is met once; a plate has two.
   Surface clear = s;
@@ -195,14 +195,14 @@ Closure Integrator::closure_at(const Intersection& intersection, double power) c
   const glm::dvec3 tint = far ? s.base_color : glm::dvec3(1.0);
   return Closure(interface_at(clear, intersection.ior_beyond, intersection.ior_before, tint,
                               intersection.from_within()),
-                 face_viewer(far ? n : -n, intersection.wo), intersection.wo, power);
+                 face_viewer(far ? n : -n, intersection.wo), intersection.wo, arriving);
 }
 
 void Integrator::scatter(Walk& walk, const Path& path, const Intersection& intersection) const {
-  const Closure closure = closure_at(intersection, path.power());
+  const Closure closure = closure_at(intersection, {path.power(), path.bounces});
   add_direct_light(walk, path, intersection, closure);
   for (const Drawn& drawn : closure.sample(walk.random))
-    follow(walk, path, intersection, drawn, closure.interface().eta);
+    follow(walk, path, intersection, drawn, closure);
 }
 
 // From face to face of a plate, which stand its thickness apart: absorbed on the way, and as far aside.
@@ -220,12 +220,12 @@ void Integrator::cross_plate(Path& path, Intersection& m, const glm::dvec3& wi) 
 }
 
 void Integrator::follow(Walk& walk, Path path, const Intersection& m, const Drawn& drawn,
-                        double eta) const {
+                        const Closure& closure) const {
   using Face = Intersection::Face;
   const bool alone = settings_.transport == Transport::surface_only;
   const bool across = drawn.transmitted;
   const bool refracted = across && m.surface.kind != SurfaceKind::opaque;
-  const double eta2 = refracted ? eta * eta : 1.0;
+  const double eta = closure.interface().eta, eta2 = refracted ? eta * eta : 1.0;
   path.throughput *= drawn.weight;
   path.scattered = true;
 
@@ -235,7 +235,8 @@ void Integrator::follow(Walk& walk, Path path, const Intersection& m, const Draw
     within.face = m.face == Face::far ? Face::near : Face::far;
     within.wo = -drawn.wi;
     cross_plate(path, within, drawn.wi);
-    if (survives(walk, path)) walk.at_surfaces.emplace_back(path, within);
+    if (survives(walk, path, closure.worth_following()))
+      walk.at_surfaces.emplace_back(path, within);
     return;
   }
   if (!alone && !m.right_side(drawn.wi, across)) {
@@ -254,7 +255,7 @@ void Integrator::follow(Walk& walk, Path path, const Intersection& m, const Draw
   path.from = m.surface.hit.position;
   const bool gathered = alone || media_.ior(media_.at(path.where.inside), path.channel) == 1.0;
   path.pdf = gathered ? drawn.pdf : 0.0;
-  if (!survives(walk, path)) return;
+  if (!survives(walk, path, closure.worth_following())) return;
   if (alone)
     add_environment(walk, path);
   else

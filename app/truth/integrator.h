@@ -9,8 +9,8 @@
 // Splitting and Russian roulette [ArvoKirk90]. Glass reflects a few hundredths of the light; were
 // that followed by chance, the few paths that are would count in full, and a lamp that one of them
 // finds would be a firefly. So where both parts of what an interface scatters carry enough
-// (`worth_following`) both are followed, each with its own weight; and only paths that carry less
-// are ended by chance. Unless it is asked for, nothing is cut off, clamped or thrown away: the mean has
+// (`worth_following`: more after rough interfaces than after smooth ones) both are followed, each with
+// its own weight; and only paths that carry less are ended by chance. Unless it is asked for, nothing is cut off, clamped or thrown away: the mean has
 // no bias, and rare bright paths show in the standard error.
 //
 // Dispersion. A path that comes to glass whose index depends on the wavelength goes on as three, of
@@ -69,9 +69,9 @@ private:
   void meet(Walk& walk, Path path, Intersection& intersection, SolidId medium, SolidId next) const;
   void scatter(Walk& walk, const Path& path, const Intersection& intersection) const;
   void follow(Walk& walk, Path path, const Intersection& intersection, const Drawn& drawn,
-              double eta) const;
+              const Closure& closure) const;
   void cross_plate(Path& path, Intersection& intersection, const glm::dvec3& wi) const;
-  bool survives(Walk& walk, Path& path) const;
+  bool survives(Walk& walk, Path& path, double worth_following) const;
   void add_environment(Walk& walk, const Path& path) const;
   void add_background(Walk& walk, const Path& path) const;
   // What a path brings to its sample, clamped if it was scattered.
@@ -87,7 +87,7 @@ private:
 
   std::optional<glm::dvec3> unbent(const Surface& surface, SolidId medium, SolidId next,
                                    int channel) const;
-  Closure closure_at(const Intersection& intersection, double power) const;
+  Closure closure_at(const Intersection& intersection, const Arriving& arriving) const;
   Interface interface_at(const Surface& surface, double near_ior, double far_ior,
                          const glm::dvec3& tint, bool from_within) const;
 

@@ -210,7 +210,7 @@ TEST(truth_closure, splitting_changes_the_paths_and_not_the_light) {
     for (const double alpha : {0.0, named.interface.alpha}) {
       Interface interface = over(named.interface, n, wo);
       interface.alpha = alpha;
-      const Closure one(interface, n, wo), split(interface, n, wo, 1.0);
+      const Closure one(interface, n, wo), split(interface, n, wo, {.power = 1.0});
       Mean means[2][2], densities; // one or split, reflected or transmitted
       long pairs = 0;
       constexpr std::uint64_t samples = 40000;
