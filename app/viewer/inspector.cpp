@@ -165,6 +165,8 @@ std::optional<Inspection> inspect(const scene::Scene& scene, const Ray& ray, nee
   Inspection found;
   found.instance = hit->instance;
   found.material = hit->material;
+  found.unlit = material.unlit;
+  if (found.unlit) return found;
   // Below, a surface is smooth for the tables and for a plot of it.
   constexpr double least_alpha = 1e-3;
   found.alpha = seen.alpha;

@@ -31,6 +31,7 @@ struct InspectedLobe {
 
 struct Inspection {
   scene::Index instance = scene::none, material = scene::none;
+  bool unlit = false;     // it shows its colour: nothing of what follows is
   double alpha = 0.0;     // with what the material's maps say there
   double incidence = 0.0; // radians
   double eta = 0.0;       // the material's IOR over 1; 0 for metals

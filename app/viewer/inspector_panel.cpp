@@ -95,6 +95,11 @@ void draw_inspector(const Session& session, float scale) {
                    | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
   const scene::Material& material = scene.materials[static_cast<std::size_t>(found.material)];
   ImGui::Text("%s: %s", name_of(scene, found.instance).c_str(), material.name.c_str());
+  if (found.unlit) {
+    ImGui::TextUnformatted("unlit: shows its colour and nothing else");
+    ImGui::End();
+    return;
+  }
   ImGui::Text("alpha %.4f   at %.1f deg", found.alpha, glm::degrees(found.incidence));
   ImGui::Text("F %.4f   1 - F %.4f", found.fresnel, 1.0 - found.fresnel);
   if (found.coat > 0.0)

@@ -60,6 +60,8 @@ class Screen:
     def __getitem__(self, y):
         if isinstance(y, slice):
             return [self[i] for i in range(*y.indices(self.height))]
+        if not 0 <= y < self.height:
+            raise IndexError(y)
         start = self.at + y * self.stride
         row = self.data[start:start + 4 * self.width]
         return list(zip(row[2::4], row[1::4], row[0::4]))
@@ -128,10 +130,10 @@ class Viewer:
         return self
 
     # Hands.
-    def fake(self, kind, detail=0, **where):
+    def fake(self, kind, detail=0, pause=0.03, **where):
         xtest.fake_input(self.desk.display, kind, detail, **where)
         self.desk.display.sync()
-        time.sleep(0.03)
+        time.sleep(pause)
 
     def move(self, x, y):
         self.fake(X.MotionNotify, x=int(x), y=int(y))
@@ -174,12 +176,12 @@ class Viewer:
     def click(self, x, y, button=1):
         self.drag((x, y), (x, y), button, steps=0)
 
-    def key(self, name, *modifiers):
+    def key(self, name, *modifiers, pause=0.03):
         codes = [self.desk.display.keysym_to_keycode(XK.string_to_keysym(k)) for k in (*modifiers, name)]
         for code in codes:
-            self.fake(X.KeyPress, code)
+            self.fake(X.KeyPress, code, pause)
         for code in reversed(codes):
-            self.fake(X.KeyRelease, code)
+            self.fake(X.KeyRelease, code, pause)
 
     def close(self):
         atom = self.desk.display.intern_atom

@@ -109,6 +109,14 @@ TEST(inspector, reads_maps_and_names_what_lies_over_the_surface) {
   EXPECT_FALSE(found->film || found->brushed || found->mixed);
 }
 
+TEST(inspector, gives_what_is_unlit_no_lobes) {
+  scene::Scene scene = slab(0.1f);
+  scene.materials[0].unlit = true;
+  const auto found = inspect(scene, ray_at(0.6), needs::Method::lobes2, false);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->unlit && found->reflected.fitted.empty() && found->passes.fitted.empty());
+}
+
 TEST(inspector, finds_nothing_beside) {
   EXPECT_FALSE(inspect(slab(0.1f), {{0, 0, 5}, {0, 0, 1}}, needs::Method::lobes2, false));
 }

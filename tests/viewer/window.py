@@ -87,6 +87,24 @@ def dragging_orbits_and_the_wheel_comes_closer():
         assert v.close() == 0, v.errors()
 
 
+def a_key_is_answered_within_two_frames():
+    with Desk(320, 240) as desk, with_square(desk, "--no-panel", size=(320, 240)).open() as v:
+        picture = lambda screen: screen[:200] # above the status line, which changes with each frame
+        for _ in range(2):
+            v.rest()
+            before = seen = desk.screen()
+            frames = 0
+            v.key("Right", pause=0.0)
+            while picture(seen) == picture(before):
+                now = desk.screen()
+                while now.data != (again := desk.screen()).data: # it is being written
+                    now = again
+                frames += now.data != seen.data
+                seen = now
+                assert frames <= 2, "two frames passed without an answer"
+        assert v.close() == 0, v.errors()
+
+
 def a_slider_changes_what_is_picked_and_undo_takes_it_back():
     # Layers are set, not drawn: that would compile them.
     with Desk() as desk, with_square(desk, "--without", "clearcoat,iridescence,anisotropy", size=(500, 400)).open() as v:
