@@ -42,22 +42,31 @@ struct BackFaceExit {
   bool found;
 };
 
-// What moves a place by one pixel to the right (axis 0) or down (axis 1), metres per metre along the camera's axis.
-vec3 pixelStep(SceneView view, int axis) {
+// What moves a place by one pixel to the right and down, metres per metre along the camera's axis.
+struct PixelSteps {
+  vec3 right;
+  vec3 down;
+};
+
+PixelSteps pixelSteps(SceneView view) {
   vec3 forward = vec3(view.clipFromWorld[0][3], view.clipFromWorld[1][3], view.clipFromWorld[2][3]);
-  vec3 row = axis == 0 ? vec3(view.clipFromWorld[0][0], view.clipFromWorld[1][0], view.clipFromWorld[2][0])
-                       : vec3(view.clipFromWorld[0][1], view.clipFromWorld[1][1], view.clipFromWorld[2][1]);
-  vec3 across = row - dot(row, forward) * forward; // a picture's middle off the axis is no part of its scale
-  return (axis == 0 ? 2.0 / view.size.x : -2.0 / view.size.y) / dot(across, across) * across;
+  vec3 x = vec3(view.clipFromWorld[0][0], view.clipFromWorld[1][0], view.clipFromWorld[2][0]);
+  vec3 y = vec3(view.clipFromWorld[0][1], view.clipFromWorld[1][1], view.clipFromWorld[2][1]);
+  x -= dot(x, forward) * forward; // a picture's middle off the axis is no part of its scale
+  y -= dot(y, forward) * forward;
+  PixelSteps steps;
+  steps.right = 2.0 / (view.size.x * dot(x, x)) * x;
+  steps.down = -2.0 / (view.size.y * dot(y, y)) * y;
+  return steps;
 }
 
-// The surface that the texel at `at` shows at its middle. p: any point that is seen at `at`, w its metres along the axis.
-BackFace backFaceAt(vec2 at, vec3 p, float w, FaceLayer which, SceneView view) {
+// The surface that the texel at `at` shows at its middle. p: any point that is seen at `at`, from the eye, over its metres along the
+// axis.
+BackFace backFaceAt(vec2 at, vec3 p, FaceLayer which, PixelSteps steps, SceneView view) {
   vec4 texel = engineFace(which.layer, at);
   vec2 off = floor(at) + 0.5 - at;
   BackFace face;
-  face.point = view.eye + (p - view.eye) * (texel.z / w) +
-               texel.z * (off.x * pixelStep(view, 0) + off.y * pixelStep(view, 1));
+  face.point = view.eye + texel.z * (p + off.x * steps.right + off.y * steps.down);
   face.n = which.side * octDecode(vec2(texel.x, texel.y));
   face.alpha = 2.0 * fract(texel.w);
   face.number = floor(texel.w);
@@ -66,17 +75,17 @@ BackFace backFaceAt(vec2 at, vec3 p, float w, FaceLayer which, SceneView view) {
 }
 
 // A neighbour of a texel, if both belong to one smooth surface; else the texel itself, which says that nothing turns.
-BackFace backFaceBeside(BackFace own, vec2 at, vec3 p, float w, FaceLayer which, SceneView view) {
-  BackFace beside = backFaceAt(at, p, w, which, view);
+BackFace backFaceBeside(BackFace own, vec2 at, vec3 p, FaceLayer which, PixelSteps steps, SceneView view) {
+  BackFace beside = backFaceAt(at, p, which, steps, view);
   if (beside.exists && exitSame(own.point, own.n, beside.point, beside.n)) return beside;
   return own;
 }
 
 // The normal between texels, at the place `hit` within a pixel of `at`, and how the surface curves there.
-BackFaceExit backFaceBetween(BackFace face, vec2 at, vec2 hit, vec3 p, float w, FaceLayer which, vec3 origin, vec3 direction,
-                             SceneView view) {
-  BackFace right = backFaceBeside(face, at + vec2(1.0, 0.0), p + w * pixelStep(view, 0), w, which, view);
-  BackFace below = backFaceBeside(face, at + vec2(0.0, 1.0), p + w * pixelStep(view, 1), w, which, view);
+BackFaceExit backFaceBetween(BackFace face, vec2 at, vec2 hit, vec3 p, FaceLayer which, vec3 origin, vec3 direction,
+                             PixelSteps steps, SceneView view) {
+  BackFace right = backFaceBeside(face, at + vec2(1.0, 0.0), p + steps.right, which, steps, view);
+  BackFace below = backFaceBeside(face, at + vec2(0.0, 1.0), p + steps.down, which, steps, view);
   vec2 off = hit - floor(at) - 0.5;
   BackFaceExit found;
   found.exit.surface.n = normalize(face.n + off.x * (right.n - face.n) + off.y * (below.n - face.n));
@@ -104,36 +113,42 @@ BackFaceExit noBackFace(vec3 direction, float eta) {
 }
 
 // From the back face behind the pixel on to the plane that is seen where the ray meets it, until the next is the same.
-// first: how far along the ray to begin, metres: 0 on the front face.
+// first: how far along the ray to begin, metres: 0 on the front face. The loop holds one read alone: where pixels that are drawn
+// together leave it at different steps, all wait for what it holds.
 BackFaceExit backFaceExit(vec3 origin, vec3 direction, float first, float eta, FaceLayer which, SceneView view) {
-  BackFaceExit none = noBackFace(direction, eta);
+  vec4 from = view.clipFromWorld * vec4(origin, 1.0);
+  vec4 along = view.clipFromWorld * vec4(direction, 0.0);
+  PixelSteps steps = pixelSteps(view);
   float inside = 0.0; // the farthest place where the body was seen behind the ray
   float t = first;
-  for (int k = 0; k < BACK_FACE_STEPS; ++k) {
-    vec3 p = origin + t * direction;
-    vec4 clip = view.clipFromWorld * vec4(p, 1.0);
-    if (!(clip.w > 0.0)) return none;
-    vec2 at = scenePixel(clip, view.size);
-    BackFace face = backFaceAt(at, p, clip.w, which, view);
+  BackFace face;
+  vec2 at = vec2(0.0);
+  vec2 hit = vec2(0.0);
+  vec3 p = vec3(0.0);
+  bool found = false;
+  bool lost = false;
+  for (int k = 0; k < BACK_FACE_STEPS && !found && !lost; ++k) {
+    vec4 clip = from + t * along;
+    at = scenePixel(clip, view.size);
+    vec3 here = origin + t * direction;
+    p = (here - view.eye) / clip.w;
+    face = backFaceAt(at, p, which, steps, view);
     float met = exitPlane(origin, direction, face.point, face.n);
     bool meets = face.exists && dot(direction, face.n) > 0.0 && met > 0.0;
-    if (k == 0 && !face.exists) return none;
-    if (!meets) { // at first: as far as the body is deep behind the pixel; then: back from past the outline
-      t = k == 0 ? length(face.point - p) : 0.5 * (inside + t);
-      continue;
-    }
-    vec4 there = view.clipFromWorld * vec4(origin + met * direction, 1.0);
-    vec2 hit = scenePixel(there, view.size);
+    lost = !(clip.w > 0.0) || (k == 0 && !face.exists);
+    vec4 there = from + met * along;
+    hit = scenePixel(there, view.size);
     vec2 moved = hit - at;
-    if (there.w > 0.0 && dot(moved, moved) < 0.5) {
-      BackFaceExit found = backFaceBetween(face, at, hit, p, clip.w, which, origin, direction, view);
-      found.exit.surface.eta = eta;
-      return found;
-    }
-    inside = t;
-    t = met;
+    found = !lost && meets && there.w > 0.0 && dot(moved, moved) < 0.5;
+    // Not met at first: as far as the body is deep behind the pixel; then: back from past the outline.
+    float missed = k == 0 ? length(face.point - here) : 0.5 * (inside + t);
+    inside = meets ? t : inside;
+    t = meets ? met : missed;
   }
-  return none;
+  if (!found) return noBackFace(direction, eta);
+  BackFaceExit exit = backFaceBetween(face, at, hit, p, which, origin, direction, steps, view);
+  exit.exit.surface.eta = eta;
+  return exit;
 }
 
 #endif

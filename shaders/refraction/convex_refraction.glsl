@@ -16,15 +16,27 @@
 #include "refraction/glass_reflection.glsl"
 #include "refraction/internal_scattering.glsl"
 
-// A lobe narrower than this is one direction for a picture: a pixel is wider. Core and tail are then the same, and one is followed.
-const float SMOOTH_ALPHA = 1e-3;
+// Both of the tables' lobes, which differ in the block of the table that they are read from. A smooth face has one direction, Snell's.
+struct FaceLobes {
+  InterfaceLobe core;
+  InterfaceLobe tail;
+};
 
-InterfaceLobe engineFaceLobe(int lobe, float cosTheta, float alpha, float eta) {
-  return interfaceLobe(engineInterfaceLobe(interfaceLobeCoordinate(lobe, 2, cosTheta, alpha, eta)), cosTheta, alpha, eta);
+FaceLobes engineFaceLobes(float cosTheta, float alpha, float eta) {
+  vec4 core = vec4(0.0, 0.0, 1.0, 0.0);
+  vec4 tail = vec4(0.0);
+  if (alpha >= SMOOTH_ALPHA) {
+    vec3 at = interfaceLobeCoordinate(0, 2, cosTheta, alpha, eta);
+    core = engineInterfaceLobe(at);
+    tail = engineInterfaceLobe(at + vec3(0.0, 0.5, 0.0));
+  }
+  FaceLobes lobes;
+  lobes.core = interfaceLobe(core, cosTheta, alpha, eta);
+  lobes.tail = interfaceLobe(tail, cosTheta, alpha, eta);
+  return lobes;
 }
 
-InnerLobe engineEnteringLobe(int lobe, GlassFace face, float ior, float energy) {
-  InterfaceLobe read = engineFaceLobe(lobe, dot(face.wo, face.n), face.alpha, ior);
+InnerLobe engineEnteringLobe(InterfaceLobe read, GlassFace face, float ior, float energy) {
   InnerLobe inner;
   bool matched = abs(ior - 1.0) < INDEX_MATCHED;
   inner.direction = matched ? -face.wo : interfaceLobeDirection(face.wo, face.n, read.angle);
@@ -37,17 +49,16 @@ ComposedPair engineLeavingPair(InnerLobe inner, bool core, ExitSurface s, Wideni
   ExitView view = seeExit(inner, core, s, k);
   float cosTheta = max(view.cosTheta, 0.0);
   float energy = abs(s.eta - 1.0) < INDEX_MATCHED ? 1.0 : engineFaceEnergy(cosTheta, view.alphaEnergy, s.eta).transmitted;
-  InterfaceLobe first = engineFaceLobe(0, cosTheta, view.alphaShape, s.eta);
+  FaceLobes lobes = engineFaceLobes(cosTheta, view.alphaShape, s.eta);
   if (view.alphaShape < SMOOTH_ALPHA) {
     ComposedPair one;
-    one.core = composeLobe(inner, view, s, first.angle, first.sigma, 1.0, energy);
+    one.core = composeLobe(inner, view, s, lobes.core.angle, lobes.core.sigma, 1.0, energy);
     one.rest = one.core;
     one.rest.weight = 0.0;
     return one;
   }
-  InterfaceLobe second = engineFaceLobe(1, cosTheta, view.alphaShape, s.eta);
-  return composedPair(composeLobe(inner, view, s, first.angle, first.sigma, first.weight, energy),
-                      composeLobe(inner, view, s, second.angle, second.sigma, second.weight, energy), view);
+  return composedPair(composeLobe(inner, view, s, lobes.core.angle, lobes.core.sigma, lobes.core.weight, energy),
+                      composeLobe(inner, view, s, lobes.tail.angle, lobes.tail.sigma, lobes.tail.weight, energy), view);
 }
 
 // What the exit reflects inside leaves a convex body by its near face, again and again: a geometric series. Nothing leaves a face
@@ -55,6 +66,8 @@ ComposedPair engineLeavingPair(InnerLobe inner, bool core, ExitSurface s, Wideni
 // environment there is occluded, not known which. Of 0, 1/4, 1/2, 3/4 and 1 a quarter is the best, or within 2 % of it, on nine of
 // twelve scenes; slabs before a wall, whose light comes from behind the camera, would have all of it.
 const float SCATTERED_SEEN = 0.25;
+// Less than this share of the environment is not looked up: what it would add is below the error of SCATTERED_SEEN.
+const float SCATTERED_LEAST = 0.01;
 
 vec3 internallyReflected(GlassFace face, ConvexBody body, InnerLobe inner, float entered, ConvexExit e, float passed) {
   float cosTheta = max(dot(inner.direction, e.surface.n), 0.0);
@@ -62,15 +75,16 @@ vec3 internallyReflected(GlassFace face, ConvexBody body, InnerLobe inner, float
   InternalScattering w;
   w.passes = passed;
   w.back = clamp(own.transmitted + own.reflected - passed, 0.0, 0.99);
+  vec3 way = exp(-e.path * body.attenuation);
+  vec3 weight = SCATTERED_SEEN * entered * w.back * way * internalScatteringEscapes(w, way);
+  if (max(weight.x, max(weight.y, weight.z)) < SCATTERED_LEAST) return vec3(0.0);
   vec3 reflected = inner.direction - 2.0 * cosTheta * e.surface.n;
   float q = clamp(body.thickness * body.curvature, 0.0, 2.0);
   vec3 near = normalize(mix(face.n, e.surface.n + 2.0 * cosTheta * reflected, 0.5 * q));
   vec3 outward = refractAbout(-reflected, -near, e.surface.eta);
   float spread = sqrt(inner.sigma * inner.sigma + 4.0 * body.backAlpha * body.backAlpha) * body.ior;
-  vec3 way = exp(-e.path * body.attenuation);
   vec3 direction = dot(outward, outward) > 0.0 ? outward : near;
-  vec3 seen = SCATTERED_SEEN * engineEnvironment(direction, min(spread, 0.606));
-  return entered * w.back * way * internalScatteringEscapes(w, way) * seen;
+  return weight * engineEnvironment(direction, min(spread, 0.606));
 }
 
 // What the near face makes of the view: core and tail of its lobe inside.
@@ -82,12 +96,11 @@ struct Entering {
 
 Entering enterGlass(GlassFace face, float ior) {
   Entering e;
-  e.energy = engineFaceEnergy(dot(face.wo, face.n), face.alpha, ior).transmitted;
-  e.core = engineEnteringLobe(0, face, ior, e.energy);
-  e.tail = e.core;
-  e.tail.weight = 0.0;
-  if (face.alpha < SMOOTH_ALPHA) e.core.weight = e.energy;
-  else e.tail = engineEnteringLobe(1, face, ior, e.energy);
+  float cosTheta = dot(face.wo, face.n);
+  e.energy = engineFaceEnergy(cosTheta, face.alpha, ior).transmitted;
+  FaceLobes lobes = engineFaceLobes(cosTheta, face.alpha, ior);
+  e.core = engineEnteringLobe(lobes.core, face, ior, e.energy);
+  e.tail = engineEnteringLobe(lobes.tail, face, ior, e.energy);
   return e;
 }
 

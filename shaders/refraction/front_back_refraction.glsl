@@ -5,7 +5,7 @@
 //          one lobe leaves the body by the faces of a layer.
 // Source   back_face_exit.glsl, convex_refraction.glsl.
 // Limits   those of both; where no back face is found the body is taken for convex_body.glsl's lens. One total internal
-//          reflection is followed. 10 to 12 reads of tables, 6 to 32 of back faces, up to 21 of depth, 2 of the scene's colour and
+//          reflection is followed. 10 to 12 reads of tables, 3 to 16 of back faces, up to 21 of depth, 2 of the scene's colour and
 //          up to 3 of the environment.
 #ifndef GG_REFRACTION_FRONT_BACK_REFRACTION_GLSL
 #define GG_REFRACTION_FRONT_BACK_REFRACTION_GLSL
@@ -69,7 +69,7 @@ FaceLayer leavingFaces(int layer, float number) {
 }
 
 // Of both lobes, by the nearest back faces or, where they show none and `last` is SECOND_BACKS, by those behind: a ray that runs
-// along a wall comes out on the far side of a hollow body. Loops, so that a program has the search once: compilers inline it.
+// along a wall comes out on the far side of a hollow body. The tail leaves beside the core: by the same faces.
 struct WaysOut {
   WayOut core;
   WayOut tail;
@@ -79,20 +79,17 @@ WaysOut waysOut(GlassFace face, ConvexBody body, Entering entered, int last, flo
   WaysOut ways;
   ways.core = convexWayOut(face, entered.core, body);
   ways.tail = convexWayOut(face, entered.tail, body);
-  for (int which = 0; which < 2; ++which) {
-    InnerLobe lobe = entered.core;
-    if (which == 1) lobe = entered.tail;
-    if (which == 1 && (!(lobe.weight > 0.0) || !ways.core.found)) break;
-    WayOut way = ways.core;
-    way.lobe = lobe;
-    way.found = false;
-    for (int layer = BACK_FACES; layer <= last && !way.found; ++layer) {
-      if (layer == SECOND_FRONTS) continue;
-      WayOut seen = wayOut(face.position, lobe, 1.0 / body.ior, leavingFaces(layer, number), reflections, view);
-      if (seen.found) way = seen;
-    }
-    if (which == 0) ways.core = way;
-    else ways.tail = way;
+  for (int layer = BACK_FACES; layer <= last && !ways.core.found; layer += SECOND_BACKS - BACK_FACES) {
+    WayOut seen = wayOut(face.position, entered.core, 1.0 / body.ior, leavingFaces(layer, number), reflections, view);
+    if (seen.found) ways.core = seen;
+  }
+  if (ways.core.found) {
+    InnerLobe core = ways.core.lobe;
+    ways.tail = ways.core;
+    ways.tail.lobe.direction = normalize(entered.tail.direction + core.direction - entered.core.direction);
+    float widened = core.sigma * core.sigma - entered.core.sigma * entered.core.sigma;
+    ways.tail.lobe.sigma = sqrt(entered.tail.sigma * entered.tail.sigma + max(widened, 0.0));
+    ways.tail.lobe.weight = entered.core.weight > 0.0 ? entered.tail.weight * core.weight / entered.core.weight : 0.0;
   }
   return ways;
 }

@@ -20,14 +20,25 @@ struct GlassFace {
   float turn; // radians² per axis: variance of n over the pixel, which every lobe is at least as wide as
 };
 
+// A lobe narrower than this is one direction for a picture: a pixel is wider. Faces are then smooth, and no table is read.
+const float SMOOTH_ALPHA = 1e-3;
+
 InterfaceEnergy engineFaceEnergy(float cosTheta, float alpha, float eta) {
+  if (alpha < SMOOTH_ALPHA) {
+    InterfaceEnergy smoothly;
+    smoothly.transmitted = fresnelTransmittedAt(cosTheta, eta);
+    smoothly.reflected = 1.0 - smoothly.transmitted;
+    return smoothly;
+  }
   return interfaceEnergy(engineInterfaceEnergy(interfaceEnergyCoordinate(cosTheta, alpha, eta)));
 }
 
 vec3 reflectGlass(GlassFace face, float ior, SceneView view) {
   float cosTheta = dot(face.wo, face.n);
   float energy = engineFaceEnergy(cosTheta, face.alpha, ior).reflected;
-  vec4 texel = engineReflectionLobe(lobeCoordinate(cosTheta, face.alpha, edgeShare(fresnelNormalIncidence(ior), energy)));
+  vec4 texel = vec4(0.0);
+  if (face.alpha >= SMOOTH_ALPHA)
+    texel = engineReflectionLobe(lobeCoordinate(cosTheta, face.alpha, edgeShare(fresnelNormalIncidence(ior), energy)));
   ComposedLobe lobe;
   lobe.direction = lobeDirection(2.0 * cosTheta * face.n - face.wo, face.n, texel.x);
   lobe.sigma = sqrt(texel.y * texel.y * face.alpha * face.alpha + 4.0 * face.turn); // a mirror turns by twice its normal's turn

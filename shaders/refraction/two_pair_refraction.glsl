@@ -5,7 +5,7 @@
 // Returns  refractTwoPairs: as refractFrontBack. REFLECTIONS_INSIDE: total internal reflections that are followed in each body.
 // Source   front_back_refraction.glsl twice; composition.glsl in both directions through a face.
 // Limits   the second body has the index and the absorption of the first. Behind it no glass is seen. Its entry's two lobes go on
-//          as one. In the second front face the environment is reflected. Up to 20 reads of tables, 100 of
+//          as one. In the second front face the environment is reflected. Up to 20 reads of tables, 104 of
 //          faces, 21 of depth, 2 of the scene's colour and 4 of the environment.
 #ifndef GG_REFRACTION_TWO_PAIR_REFRACTION_GLSL
 #define GG_REFRACTION_TWO_PAIR_REFRACTION_GLSL

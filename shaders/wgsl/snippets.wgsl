@@ -1,4 +1,4 @@
-// Made by shaders/wgsl/make of b90a0b30bd8fe5f5dd81b592715e2c9a45f84959ca2a1a5aebab6f34b5bb9627: do not edit.
+// Made by shaders/wgsl/make of 55d141aa826672e1ce0f0a851e3ee405fd89e91d9c4e82a0c455db553feb8b11: do not edit.
 struct Tilt {
     p: f32,
     z: f32,
@@ -224,6 +224,11 @@ struct BackFaceExit {
     found: bool,
 }
 
+struct PixelSteps {
+    right: vec3<f32>,
+    down: vec3<f32>,
+}
+
 struct ComposedLobe {
     direction: vec3<f32>,
     sigma: f32,
@@ -266,6 +271,11 @@ struct InternalScatteringLoss {
     constant: f32,
     thin: f32,
     passes: f32,
+}
+
+struct FaceLobes {
+    core: InterfaceLobe,
+    tail: InterfaceLobe,
 }
 
 struct Entering {
@@ -353,6 +363,7 @@ const INTERFACE_SLICES: i32 = 13i;
 const INTERFACE_GREATEST_ETA: f32 = 4f;
 const SMOOTH_ALPHA: f32 = 0.001f;
 const SCATTERED_SEEN: f32 = 0.25f;
+const SCATTERED_LEAST: f32 = 0.01f;
 const THIN_WALL_COSINES: i32 = 25i;
 const THIN_WALL_ALPHAS: i32 = 16i;
 const THIN_WALL_SLICES: i32 = 13i;
@@ -7164,70 +7175,65 @@ fn engineFace(layer: i32, at_16: vec2<f32>) -> vec4<f32> {
     return vec4(0f);
 }
 
-fn pixelStep(view_17: SceneView, axis_1: i32) -> vec3<f32> {
+fn pixelSteps(view_17: SceneView) -> PixelSteps {
     var view_18: SceneView;
-    var axis_2: i32;
     var forward: vec3<f32>;
-    var local_85: vec3<f32>;
-    var row: vec3<f32>;
-    var across_11: vec3<f32>;
-    var local_86: f32;
+    var x_26: vec3<f32>;
+    var y_11: vec3<f32>;
+    var steps: PixelSteps;
 
     view_18 = view_17;
-    axis_2 = axis_1;
-    let _e37 = view_18.clipFromWorld[0][3];
-    let _e43 = view_18.clipFromWorld[1][3];
-    let _e49 = view_18.clipFromWorld[2][3];
-    forward = vec3<f32>(_e37, _e43, _e49);
-    let _e52 = axis_2;
-    if (_e52 == 0i) {
-        let _e60 = view_18.clipFromWorld[0][0];
-        let _e66 = view_18.clipFromWorld[1][0];
-        let _e72 = view_18.clipFromWorld[2][0];
-        local_85 = vec3<f32>(_e60, _e66, _e72);
-    } else {
-        let _e79 = view_18.clipFromWorld[0][1];
-        let _e85 = view_18.clipFromWorld[1][1];
-        let _e91 = view_18.clipFromWorld[2][1];
-        local_85 = vec3<f32>(_e79, _e85, _e91);
-    }
-    let _e94 = local_85;
-    row = _e94;
-    let _e96 = row;
-    let _e97 = row;
-    let _e98 = forward;
-    let _e100 = forward;
-    across_11 = (_e96 - (dot(_e97, _e98) * _e100));
-    let _e104 = axis_2;
-    if (_e104 == 0i) {
-        let _e108 = view_18;
-        local_86 = (2f / _e108.size.x);
-    } else {
-        let _e114 = view_18;
-        local_86 = (-2f / _e114.size.y);
-    }
-    let _e119 = local_86;
-    let _e120 = across_11;
-    let _e121 = across_11;
-    let _e124 = across_11;
-    return ((_e119 / dot(_e120, _e121)) * _e124);
+    let _e35 = view_18.clipFromWorld[0][3];
+    let _e41 = view_18.clipFromWorld[1][3];
+    let _e47 = view_18.clipFromWorld[2][3];
+    forward = vec3<f32>(_e35, _e41, _e47);
+    let _e55 = view_18.clipFromWorld[0][0];
+    let _e61 = view_18.clipFromWorld[1][0];
+    let _e67 = view_18.clipFromWorld[2][0];
+    x_26 = vec3<f32>(_e55, _e61, _e67);
+    let _e75 = view_18.clipFromWorld[0][1];
+    let _e81 = view_18.clipFromWorld[1][1];
+    let _e87 = view_18.clipFromWorld[2][1];
+    y_11 = vec3<f32>(_e75, _e81, _e87);
+    let _e90 = x_26;
+    let _e91 = x_26;
+    let _e92 = forward;
+    let _e94 = forward;
+    x_26 = (_e90 - (dot(_e91, _e92) * _e94));
+    let _e97 = y_11;
+    let _e98 = y_11;
+    let _e99 = forward;
+    let _e101 = forward;
+    y_11 = (_e97 - (dot(_e98, _e99) * _e101));
+    let _e107 = view_18;
+    let _e110 = x_26;
+    let _e111 = x_26;
+    let _e115 = x_26;
+    steps.right = ((2f / (_e107.size.x * dot(_e110, _e111))) * _e115);
+    let _e120 = view_18;
+    let _e123 = y_11;
+    let _e124 = y_11;
+    let _e128 = y_11;
+    steps.down = ((-2f / (_e120.size.y * dot(_e123, _e124))) * _e128);
+    let _e130 = steps;
+    return _e130;
 }
 
-fn backFaceAt(at_18: vec2<f32>, p_10: vec3<f32>, w_27: f32, which: FaceLayer, view_19: SceneView) -> BackFace {
+fn backFaceAt(at_18: vec2<f32>, p_10: vec3<f32>, which: FaceLayer, steps_1: PixelSteps, view_19: SceneView) -> BackFace {
     var at_19: vec2<f32>;
     var p_11: vec3<f32>;
-    var w_28: f32;
     var which_1: FaceLayer;
+    var steps_2: PixelSteps;
     var view_20: SceneView;
     var texel_4: vec4<f32>;
     var off_1: vec2<f32>;
     var face_6: BackFace;
-    var local_87: bool;
+    var local_85: bool;
 
     at_19 = at_18;
     p_11 = p_10;
-    w_28 = w_27;
     which_1 = which;
+    steps_2 = steps_1;
     view_20 = view_19;
     let _e38 = which_1;
     let _e40 = at_19;
@@ -7237,61 +7243,56 @@ fn backFaceAt(at_18: vec2<f32>, p_10: vec3<f32>, w_27: f32, which: FaceLayer, vi
     let _e48 = at_19;
     off_1 = ((floor(_e43) + vec2(0.5f)) - _e48);
     let _e53 = view_20;
-    let _e55 = p_11;
-    let _e56 = view_20;
-    let _e59 = texel_4;
-    let _e61 = w_28;
-    let _e65 = texel_4;
-    let _e67 = off_1;
-    let _e69 = view_20;
-    let _e71 = pixelStep(_e69, 0i);
-    let _e73 = off_1;
-    let _e75 = view_20;
-    let _e77 = pixelStep(_e75, 1i);
-    face_6.point = ((_e53.eye + ((_e55 - _e56.eye) * (_e59.z / _e61))) + (_e65.z * ((_e67.x * _e71) + (_e73.y * _e77))));
-    let _e83 = which_1;
-    let _e85 = texel_4;
-    let _e87 = texel_4;
-    let _e90 = octDecode(vec2<f32>(_e85.x, _e87.y));
-    face_6.n = (_e83.side * _e90);
-    let _e94 = texel_4;
-    face_6.alpha = (2f * fract(_e94.w));
-    let _e99 = texel_4;
-    face_6.number = floor(_e99.w);
-    let _e103 = which_1;
-    if (_e103.number < 0f) {
-        let _e107 = face_6;
-        local_87 = (_e107.number > 0f);
+    let _e55 = texel_4;
+    let _e57 = p_11;
+    let _e58 = off_1;
+    let _e60 = steps_2;
+    let _e64 = off_1;
+    let _e66 = steps_2;
+    face_6.point = (_e53.eye + (_e55.z * ((_e57 + (_e58.x * _e60.right)) + (_e64.y * _e66.down))));
+    let _e73 = which_1;
+    let _e75 = texel_4;
+    let _e77 = texel_4;
+    let _e80 = octDecode(vec2<f32>(_e75.x, _e77.y));
+    face_6.n = (_e73.side * _e80);
+    let _e84 = texel_4;
+    face_6.alpha = (2f * fract(_e84.w));
+    let _e89 = texel_4;
+    face_6.number = floor(_e89.w);
+    let _e93 = which_1;
+    if (_e93.number < 0f) {
+        let _e97 = face_6;
+        local_85 = (_e97.number > 0f);
     } else {
-        let _e111 = face_6;
-        let _e113 = which_1;
-        local_87 = (_e111.number == _e113.number);
+        let _e101 = face_6;
+        let _e103 = which_1;
+        local_85 = (_e101.number == _e103.number);
     }
-    let _e117 = local_87;
-    face_6.exists = _e117;
-    let _e118 = face_6;
-    return _e118;
+    let _e107 = local_85;
+    face_6.exists = _e107;
+    let _e108 = face_6;
+    return _e108;
 }
 
-fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, w_29: f32, which_2: FaceLayer, view_21: SceneView) -> BackFace {
+fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, which_2: FaceLayer, steps_3: PixelSteps, view_21: SceneView) -> BackFace {
     var own_1: BackFace;
     var at_21: vec2<f32>;
     var p_13: vec3<f32>;
-    var w_30: f32;
     var which_3: FaceLayer;
+    var steps_4: PixelSteps;
     var view_22: SceneView;
     var beside_5: BackFace;
 
     own_1 = own;
     at_21 = at_20;
     p_13 = p_12;
-    w_30 = w_29;
     which_3 = which_2;
+    steps_4 = steps_3;
     view_22 = view_21;
     let _e40 = at_21;
     let _e41 = p_13;
-    let _e42 = w_30;
-    let _e43 = which_3;
+    let _e42 = which_3;
+    let _e43 = steps_4;
     let _e44 = view_22;
     let _e45 = backFaceAt(_e40, _e41, _e42, _e43, _e44);
     beside_5 = _e45;
@@ -7309,15 +7310,15 @@ fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, w_29: f32, w
     return _e60;
 }
 
-fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec3<f32>, w_31: f32, which_4: FaceLayer, origin_12: vec3<f32>, direction_20: vec3<f32>, view_23: SceneView) -> BackFaceExit {
+fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec3<f32>, which_4: FaceLayer, origin_12: vec3<f32>, direction_20: vec3<f32>, steps_5: PixelSteps, view_23: SceneView) -> BackFaceExit {
     var face_8: BackFace;
     var at_23: vec2<f32>;
     var hit_1: vec2<f32>;
     var p_15: vec3<f32>;
-    var w_32: f32;
     var which_5: FaceLayer;
     var origin_13: vec3<f32>;
     var direction_21: vec3<f32>;
+    var steps_6: PixelSteps;
     var view_24: SceneView;
     var right_2: BackFace;
     var below_6: BackFace;
@@ -7330,78 +7331,74 @@ fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec
     at_23 = at_22;
     hit_1 = hit;
     p_15 = p_14;
-    w_32 = w_31;
     which_5 = which_4;
     origin_13 = origin_12;
     direction_21 = direction_20;
+    steps_6 = steps_5;
     view_24 = view_23;
     let _e46 = face_8;
     let _e47 = at_23;
     let _e52 = p_15;
-    let _e53 = w_32;
-    let _e54 = view_24;
-    let _e56 = pixelStep(_e54, 0i);
-    let _e59 = w_32;
-    let _e60 = which_5;
-    let _e61 = view_24;
-    let _e62 = backFaceBeside(_e46, (_e47 + vec2<f32>(1f, 0f)), (_e52 + (_e53 * _e56)), _e59, _e60, _e61);
-    right_2 = _e62;
-    let _e64 = face_8;
-    let _e65 = at_23;
-    let _e70 = p_15;
-    let _e71 = w_32;
-    let _e72 = view_24;
-    let _e74 = pixelStep(_e72, 1i);
-    let _e77 = w_32;
-    let _e78 = which_5;
-    let _e79 = view_24;
-    let _e80 = backFaceBeside(_e64, (_e65 + vec2<f32>(0f, 1f)), (_e70 + (_e71 * _e74)), _e77, _e78, _e79);
-    below_6 = _e80;
-    let _e82 = hit_1;
-    let _e83 = at_23;
-    off_2 = ((_e82 - floor(_e83)) - vec2(0.5f));
+    let _e53 = steps_6;
+    let _e56 = which_5;
+    let _e57 = steps_6;
+    let _e58 = view_24;
+    let _e59 = backFaceBeside(_e46, (_e47 + vec2<f32>(1f, 0f)), (_e52 + _e53.right), _e56, _e57, _e58);
+    right_2 = _e59;
+    let _e61 = face_8;
+    let _e62 = at_23;
+    let _e67 = p_15;
+    let _e68 = steps_6;
+    let _e71 = which_5;
+    let _e72 = steps_6;
+    let _e73 = view_24;
+    let _e74 = backFaceBeside(_e61, (_e62 + vec2<f32>(0f, 1f)), (_e67 + _e68.down), _e71, _e72, _e73);
+    below_6 = _e74;
+    let _e76 = hit_1;
+    let _e77 = at_23;
+    off_2 = ((_e76 - floor(_e77)) - vec2(0.5f));
+    let _e88 = face_8;
+    let _e90 = off_2;
+    let _e92 = right_2;
     let _e94 = face_8;
-    let _e96 = off_2;
-    let _e98 = right_2;
-    let _e100 = face_8;
-    let _e105 = off_2;
-    let _e107 = below_6;
-    let _e109 = face_8;
-    found_2.exit.surface.n = normalize(((_e94.n + (_e96.x * (_e98.n - _e100.n))) + (_e105.y * (_e107.n - _e109.n))));
+    let _e99 = off_2;
+    let _e101 = below_6;
+    let _e103 = face_8;
+    found_2.exit.surface.n = normalize(((_e88.n + (_e90.x * (_e92.n - _e94.n))) + (_e99.y * (_e101.n - _e103.n))));
+    let _e112 = face_8;
+    found_2.exit.surface.alpha = _e112.alpha;
+    let _e116 = origin_13;
+    let _e117 = direction_21;
     let _e118 = face_8;
-    found_2.exit.surface.alpha = _e118.alpha;
-    let _e122 = origin_13;
-    let _e123 = direction_21;
+    let _e120 = face_8;
+    let _e122 = exitPlane(_e116, _e117, _e118.point, _e120.n);
+    found_2.exit.path = _e122;
     let _e124 = face_8;
-    let _e126 = face_8;
-    let _e128 = exitPlane(_e122, _e123, _e124.point, _e126.n);
-    found_2.exit.path = _e128;
-    let _e130 = face_8;
-    found_2.number = _e130.number;
-    let _e132 = direction_21;
-    let _e133 = found_2;
-    cosTheta_40 = dot(_e132, _e133.exit.surface.n);
-    let _e139 = face_8;
-    let _e141 = direction_21;
-    let _e142 = right_2;
-    let _e144 = face_8;
-    let _e147 = right_2;
-    let _e149 = face_8;
-    let _e152 = below_6;
-    let _e154 = face_8;
-    let _e157 = below_6;
-    let _e159 = face_8;
-    let _e162 = exitCurvature(_e139.n, _e141, (_e142.point - _e144.point), (_e147.n - _e149.n), (_e152.point - _e154.point), (_e157.n - _e159.n));
-    curvature_4 = _e162;
-    let _e167 = cosTheta_40;
-    let _e168 = found_2;
-    let _e171 = curvature_4;
-    let _e172 = exitTurn(_e167, _e168.exit.path, _e171);
-    found_2.exit.surface.turn = _e172;
-    let _e174 = cosTheta_40;
-    found_2.found = (_e174 > 0f);
-    let _e177 = found_2;
-    return _e177;
+    found_2.number = _e124.number;
+    let _e126 = direction_21;
+    let _e127 = found_2;
+    cosTheta_40 = dot(_e126, _e127.exit.surface.n);
+    let _e133 = face_8;
+    let _e135 = direction_21;
+    let _e136 = right_2;
+    let _e138 = face_8;
+    let _e141 = right_2;
+    let _e143 = face_8;
+    let _e146 = below_6;
+    let _e148 = face_8;
+    let _e151 = below_6;
+    let _e153 = face_8;
+    let _e156 = exitCurvature(_e133.n, _e135, (_e136.point - _e138.point), (_e141.n - _e143.n), (_e146.point - _e148.point), (_e151.n - _e153.n));
+    curvature_4 = _e156;
+    let _e161 = cosTheta_40;
+    let _e162 = found_2;
+    let _e165 = curvature_4;
+    let _e166 = exitTurn(_e161, _e162.exit.path, _e165);
+    found_2.exit.surface.turn = _e166;
+    let _e168 = cosTheta_40;
+    found_2.found = (_e168 > 0f);
+    let _e171 = found_2;
+    return _e171;
 }
 
 fn noBackFace(direction_22: vec3<f32>, eta_44: f32) -> BackFaceExit {
@@ -7431,21 +7428,29 @@ fn backFaceExit(origin_14: vec3<f32>, direction_24: vec3<f32>, first_6: f32, eta
     var eta_47: f32;
     var which_7: FaceLayer;
     var view_26: SceneView;
-    var none_1: BackFaceExit;
+    var from_1: vec4<f32>;
+    var along_15: vec4<f32>;
+    var steps_7: PixelSteps;
     var inside_2: f32 = 0f;
     var t_29: f32;
-    var k_25: i32 = 0i;
-    var p_16: vec3<f32>;
-    var clip_3: vec4<f32>;
-    var at_24: vec2<f32>;
     var face_9: BackFace;
+    var at_24: vec2<f32> = vec2(0f);
+    var hit_2: vec2<f32> = vec2(0f);
+    var p_16: vec3<f32> = vec3(0f);
+    var found_3: bool = false;
+    var lost_2: bool = false;
+    var k_25: i32 = 0i;
+    var clip_3: vec4<f32>;
+    var here_2: vec3<f32>;
     var met_4: f32;
     var meets: bool;
-    var local_88: f32;
     var there_1: vec4<f32>;
-    var hit_2: vec2<f32>;
     var moved: vec2<f32>;
-    var found_3: BackFaceExit;
+    var local_86: f32;
+    var missed: f32;
+    var local_87: f32;
+    var local_88: f32;
+    var exit: BackFaceExit;
 
     origin_15 = origin_14;
     direction_25 = direction_24;
@@ -7453,123 +7458,140 @@ fn backFaceExit(origin_14: vec3<f32>, direction_24: vec3<f32>, first_6: f32, eta
     eta_47 = eta_46;
     which_7 = which_6;
     view_26 = view_25;
-    let _e40 = direction_25;
-    let _e41 = eta_47;
-    let _e42 = noBackFace(_e40, _e41);
-    none_1 = _e42;
-    let _e46 = first_7;
-    t_29 = _e46;
+    let _e40 = view_26;
+    let _e42 = origin_15;
+    from_1 = (_e40.clipFromWorld * vec4<f32>(_e42.x, _e42.y, _e42.z, 1f));
+    let _e50 = view_26;
+    let _e52 = direction_25;
+    along_15 = (_e50.clipFromWorld * vec4<f32>(_e52.x, _e52.y, _e52.z, 0f));
+    let _e60 = view_26;
+    let _e61 = pixelSteps(_e60);
+    steps_7 = _e61;
+    let _e65 = first_7;
+    t_29 = _e65;
     loop {
-        let _e50 = k_25;
-        if !((_e50 < BACK_FACE_STEPS)) {
+        let _e83 = k_25;
+        let _e85 = found_3;
+        let _e88 = lost_2;
+        if !((((_e83 < BACK_FACE_STEPS) && !(_e85)) && !(_e88))) {
             break;
         }
         {
-            let _e56 = origin_15;
-            let _e57 = t_29;
-            let _e58 = direction_25;
-            p_16 = (_e56 + (_e57 * _e58));
-            let _e62 = view_26;
-            let _e64 = p_16;
-            clip_3 = (_e62.clipFromWorld * vec4<f32>(_e64.x, _e64.y, _e64.z, 1f));
-            let _e72 = clip_3;
-            if !((_e72.w > 0f)) {
-                let _e77 = none_1;
-                return _e77;
+            let _e95 = from_1;
+            let _e96 = t_29;
+            let _e97 = along_15;
+            clip_3 = (_e95 + (_e96 * _e97));
+            let _e101 = clip_3;
+            let _e102 = view_26;
+            let _e104 = scenePixel(_e101, _e102.size);
+            at_24 = _e104;
+            let _e105 = origin_15;
+            let _e106 = t_29;
+            let _e107 = direction_25;
+            here_2 = (_e105 + (_e106 * _e107));
+            let _e111 = here_2;
+            let _e112 = view_26;
+            let _e115 = clip_3;
+            p_16 = ((_e111 - _e112.eye) / vec3(_e115.w));
+            let _e119 = at_24;
+            let _e120 = p_16;
+            let _e121 = which_7;
+            let _e122 = steps_7;
+            let _e123 = view_26;
+            let _e124 = backFaceAt(_e119, _e120, _e121, _e122, _e123);
+            face_9 = _e124;
+            let _e125 = origin_15;
+            let _e126 = direction_25;
+            let _e127 = face_9;
+            let _e129 = face_9;
+            let _e131 = exitPlane(_e125, _e126, _e127.point, _e129.n);
+            met_4 = _e131;
+            let _e133 = face_9;
+            let _e135 = direction_25;
+            let _e136 = face_9;
+            let _e142 = met_4;
+            meets = ((_e133.exists && (dot(_e135, _e136.n) > 0f)) && (_e142 > 0f));
+            let _e147 = clip_3;
+            let _e152 = k_25;
+            let _e155 = face_9;
+            lost_2 = (!((_e147.w > 0f)) || ((_e152 == 0i) && !(_e155.exists)));
+            let _e160 = from_1;
+            let _e161 = met_4;
+            let _e162 = along_15;
+            there_1 = (_e160 + (_e161 * _e162));
+            let _e166 = there_1;
+            let _e167 = view_26;
+            let _e169 = scenePixel(_e166, _e167.size);
+            hit_2 = _e169;
+            let _e170 = hit_2;
+            let _e171 = at_24;
+            moved = (_e170 - _e171);
+            let _e174 = lost_2;
+            let _e176 = meets;
+            let _e178 = there_1;
+            let _e183 = moved;
+            let _e184 = moved;
+            found_3 = (((!(_e174) && _e176) && (_e178.w > 0f)) && (dot(_e183, _e184) < 0.5f));
+            let _e189 = k_25;
+            if (_e189 == 0i) {
+                let _e192 = face_9;
+                let _e194 = here_2;
+                local_86 = length((_e192.point - _e194));
+            } else {
+                let _e198 = inside_2;
+                let _e199 = t_29;
+                local_86 = (0.5f * (_e198 + _e199));
             }
-            let _e78 = clip_3;
-            let _e79 = view_26;
-            let _e81 = scenePixel(_e78, _e79.size);
-            at_24 = _e81;
-            let _e83 = at_24;
-            let _e84 = p_16;
-            let _e85 = clip_3;
-            let _e87 = which_7;
-            let _e88 = view_26;
-            let _e89 = backFaceAt(_e83, _e84, _e85.w, _e87, _e88);
-            face_9 = _e89;
-            let _e91 = origin_15;
-            let _e92 = direction_25;
-            let _e93 = face_9;
-            let _e95 = face_9;
-            let _e97 = exitPlane(_e91, _e92, _e93.point, _e95.n);
-            met_4 = _e97;
-            let _e99 = face_9;
-            let _e101 = direction_25;
-            let _e102 = face_9;
-            let _e108 = met_4;
-            meets = ((_e99.exists && (dot(_e101, _e102.n) > 0f)) && (_e108 > 0f));
-            let _e113 = k_25;
-            let _e116 = face_9;
-            if ((_e113 == 0i) && !(_e116.exists)) {
-                let _e120 = none_1;
-                return _e120;
+            let _e203 = local_86;
+            missed = _e203;
+            let _e205 = meets;
+            if _e205 {
+                let _e206 = t_29;
+                local_87 = _e206;
+            } else {
+                let _e207 = inside_2;
+                local_87 = _e207;
             }
-            let _e121 = meets;
-            if !(_e121) {
-                {
-                    let _e123 = k_25;
-                    if (_e123 == 0i) {
-                        let _e126 = face_9;
-                        let _e128 = p_16;
-                        local_88 = length((_e126.point - _e128));
-                    } else {
-                        let _e132 = inside_2;
-                        let _e133 = t_29;
-                        local_88 = (0.5f * (_e132 + _e133));
-                    }
-                    let _e137 = local_88;
-                    t_29 = _e137;
-                    continue;
-                }
+            let _e209 = local_87;
+            inside_2 = _e209;
+            let _e210 = meets;
+            if _e210 {
+                let _e211 = met_4;
+                local_88 = _e211;
+            } else {
+                let _e212 = missed;
+                local_88 = _e212;
             }
-            let _e138 = view_26;
-            let _e140 = origin_15;
-            let _e141 = met_4;
-            let _e142 = direction_25;
-            let _e144 = (_e140 + (_e141 * _e142));
-            there_1 = (_e138.clipFromWorld * vec4<f32>(_e144.x, _e144.y, _e144.z, 1f));
-            let _e152 = there_1;
-            let _e153 = view_26;
-            let _e155 = scenePixel(_e152, _e153.size);
-            hit_2 = _e155;
-            let _e157 = hit_2;
-            let _e158 = at_24;
-            moved = (_e157 - _e158);
-            let _e161 = there_1;
-            let _e165 = moved;
-            let _e166 = moved;
-            if ((_e161.w > 0f) && (dot(_e165, _e166) < 0.5f)) {
-                {
-                    let _e171 = face_9;
-                    let _e172 = at_24;
-                    let _e173 = hit_2;
-                    let _e174 = p_16;
-                    let _e175 = clip_3;
-                    let _e177 = which_7;
-                    let _e178 = origin_15;
-                    let _e179 = direction_25;
-                    let _e180 = view_26;
-                    let _e181 = backFaceBetween(_e171, _e172, _e173, _e174, _e175.w, _e177, _e178, _e179, _e180);
-                    found_3 = _e181;
-                    let _e186 = eta_47;
-                    found_3.exit.surface.eta = _e186;
-                    let _e187 = found_3;
-                    return _e187;
-                }
-            }
-            let _e188 = t_29;
-            inside_2 = _e188;
-            let _e189 = met_4;
-            t_29 = _e189;
+            let _e214 = local_88;
+            t_29 = _e214;
         }
         continuing {
-            let _e53 = k_25;
-            k_25 = (_e53 + 1i);
+            let _e92 = k_25;
+            k_25 = (_e92 + 1i);
         }
     }
-    let _e190 = none_1;
-    return _e190;
+    let _e215 = found_3;
+    if !(_e215) {
+        let _e217 = direction_25;
+        let _e218 = eta_47;
+        let _e219 = noBackFace(_e217, _e218);
+        return _e219;
+    }
+    let _e220 = face_9;
+    let _e221 = at_24;
+    let _e222 = hit_2;
+    let _e223 = p_16;
+    let _e224 = which_7;
+    let _e225 = origin_15;
+    let _e226 = direction_25;
+    let _e227 = steps_7;
+    let _e228 = view_26;
+    let _e229 = backFaceBetween(_e220, _e221, _e222, _e223, _e224, _e225, _e226, _e227, _e228);
+    exit = _e229;
+    let _e234 = eta_47;
+    exit.exit.surface.eta = _e234;
+    let _e235 = exit;
+    return _e235;
 }
 
 fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: f32, sigma_8: f32, weight: f32, energy_1: f32) -> ComposedLobe {
@@ -7582,7 +7604,7 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     var energy_2: f32;
     var lobe_3: ComposedLobe;
     var ratio_1: f32;
-    var along_15: vec3<f32>;
+    var along_16: vec3<f32>;
     var sinTheta_1: f32;
     var t_30: vec3<f32>;
     var d_18: vec2<f32>;
@@ -7596,7 +7618,7 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     var turned_1: f32;
     var kept: f32;
     var seen_1: f32;
-    var across_12: f32;
+    var across_11: f32;
     var sigma2_: f32;
     var inPlane: f32;
     var outOfPlane: f32;
@@ -7637,10 +7659,10 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     let _e90 = inner_3;
     let _e92 = view_28;
     let _e94 = s_18;
-    along_15 = (_e90.direction - (_e92.cosTheta * _e94.n));
-    let _e99 = along_15;
+    along_16 = (_e90.direction - (_e92.cosTheta * _e94.n));
+    let _e99 = along_16;
     sinTheta_1 = length(_e99);
-    let _e102 = along_15;
+    let _e102 = along_16;
     let _e103 = sinTheta_1;
     t_30 = (_e102 / vec3(max(_e103, 0.000000000001f)));
     let _e109 = sinTheta_1;
@@ -7701,7 +7723,7 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     let _e225 = ratio_1;
     let _e226 = ci;
     let _e229 = s_18;
-    across_12 = (_e223 + ((_e224 - (_e225 * _e226)) * _e229.turn.y));
+    across_11 = (_e223 + ((_e224 - (_e225 * _e226)) * _e229.turn.y));
     let _e235 = inner_3;
     let _e237 = inner_3;
     sigma2_ = (_e235.sigma * _e237.sigma);
@@ -7714,8 +7736,8 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     let _e256 = sigma_9;
     let _e258 = sigma_9;
     let _e260 = co;
-    let _e262 = across_12;
-    let _e263 = across_12;
+    let _e262 = across_11;
+    let _e263 = across_11;
     let _e265 = sigma2_;
     outOfPlane = ((((_e254.own * _e256) * _e258) * _e260) + ((_e262 * _e263) * _e265));
     let _e270 = inPlane;
@@ -7735,7 +7757,7 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     let _e290 = inner_3;
     carriedInPlane = ((_e285 * _e286) + (_e288.own * _e290.sigma));
     let _e297 = carriedInPlane;
-    let _e298 = across_12;
+    let _e298 = across_11;
     let _e299 = inner_3;
     let _e304 = lobe_3;
     let _e307 = lobe_3;
@@ -7884,11 +7906,11 @@ fn interfaceCosineAxis(cosTheta_41: f32, eta_48: f32) -> f32 {
     var critical: f32;
     var past: bool;
     var local_94: f32;
-    var along_16: f32;
+    var along_17: f32;
     var grazing_1: bool;
     var local_95: f32;
     var local_96: f32;
-    var x_26: f32;
+    var x_27: f32;
     var local_97: f32;
     var local_98: f32;
 
@@ -7919,39 +7941,39 @@ fn interfaceCosineAxis(cosTheta_41: f32, eta_48: f32) -> f32 {
         local_94 = ((_e69 - _e70) / (1f - _e73));
     }
     let _e77 = local_94;
-    along_16 = _e77;
+    along_17 = _e77;
     let _e79 = past;
-    let _e80 = along_16;
+    let _e80 = along_17;
     grazing_1 = (_e79 && (_e80 < 0.5f));
     let _e85 = past;
     if _e85 {
         let _e87 = grazing_1;
         if _e87 {
-            let _e88 = along_16;
+            let _e88 = along_17;
             local_95 = _e88;
         } else {
-            let _e90 = along_16;
+            let _e90 = along_17;
             local_95 = (1f - _e90);
         }
         let _e93 = local_95;
         local_96 = (0.125f * _e93);
     } else {
-        let _e96 = along_16;
+        let _e96 = along_17;
         local_96 = (0.25f * _e96);
     }
     let _e99 = local_96;
-    x_26 = sqrt(_e99);
+    x_27 = sqrt(_e99);
     let _e102 = grazing_1;
     if _e102 {
-        let _e103 = x_26;
+        let _e103 = x_27;
         local_98 = _e103;
     } else {
         let _e104 = past;
         if _e104 {
-            let _e106 = x_26;
+            let _e106 = x_27;
             local_97 = (0.5f - _e106);
         } else {
-            let _e109 = x_26;
+            let _e109 = x_27;
             local_97 = (0.5f + _e109);
         }
         let _e112 = local_97;
@@ -7961,25 +7983,25 @@ fn interfaceCosineAxis(cosTheta_41: f32, eta_48: f32) -> f32 {
     return _e114;
 }
 
-fn interfaceCosineAt(x_27: f32, eta_50: f32) -> f32 {
-    var x_28: f32;
+fn interfaceCosineAt(x_28: f32, eta_50: f32) -> f32 {
+    var x_29: f32;
     var eta_51: f32;
     var critical_1: f32;
     var away: f32;
     var local_99: f32;
 
-    x_28 = x_27;
+    x_29 = x_28;
     eta_51 = eta_50;
     let _e42 = eta_51;
     if (_e42 >= 1f) {
-        let _e45 = x_28;
-        let _e46 = x_28;
+        let _e45 = x_29;
+        let _e46 = x_29;
         return (_e45 * _e46);
     }
     let _e49 = eta_51;
     let _e52 = eta_51;
     critical_1 = sqrt(((1f - _e49) * (1f + _e52)));
-    let _e57 = x_28;
+    let _e57 = x_29;
     away = (_e57 - 0.5f);
     let _e61 = away;
     if (_e61 >= 0f) {
@@ -7990,10 +8012,10 @@ fn interfaceCosineAt(x_27: f32, eta_50: f32) -> f32 {
         return (_e64 + (((4f * _e66) * _e68) * (1f - _e71)));
     }
     let _e75 = critical_1;
-    let _e76 = x_28;
+    let _e76 = x_29;
     if (_e76 < 0.25f) {
-        let _e80 = x_28;
-        let _e82 = x_28;
+        let _e80 = x_29;
+        let _e82 = x_29;
         local_99 = ((8f * _e80) * _e82);
     } else {
         let _e86 = away;
@@ -8110,7 +8132,7 @@ fn interfaceWidth(cosTheta_49: f32, alpha_98: f32, eta_60: f32) -> f32 {
     var eta_61: f32;
     var g_9: f32;
     var critical_2: f32;
-    var across_13: f32;
+    var across_12: f32;
     var cosT: f32;
     var lean_3: f32;
     var width_5: f32;
@@ -8131,7 +8153,7 @@ fn interfaceWidth(cosTheta_49: f32, alpha_98: f32, eta_60: f32) -> f32 {
     let _e71 = g_9;
     let _e72 = cosTheta_50;
     let _e73 = critical_2;
-    across_13 = (abs(((_e62 - 1f) * (_e65 + 1f))) / max((_e70 * (_e71 + max(_e72, _e73))), 0.000000000000000000000000000001f));
+    across_12 = (abs(((_e62 - 1f) * (_e65 + 1f))) / max((_e70 * (_e71 + max(_e72, _e73))), 0.000000000000000000000000000001f));
     let _e81 = g_9;
     let _e82 = eta_61;
     cosT = (_e81 / _e82);
@@ -8140,7 +8162,7 @@ fn interfaceWidth(cosTheta_49: f32, alpha_98: f32, eta_60: f32) -> f32 {
     let _e87 = cosTheta_50;
     lean_3 = (_e85 + max((_e86 - _e87), 0f));
     let _e93 = lean_3;
-    let _e94 = across_13;
+    let _e94 = across_12;
     let _e96 = cosT;
     let _e97 = cosT;
     let _e99 = lean_3;
@@ -8199,7 +8221,7 @@ fn interfaceLobeDirection(wo_56: vec3<f32>, n_50: vec3<f32>, angle_2: f32) -> ve
     var wo_57: vec3<f32>;
     var n_51: vec3<f32>;
     var angle_3: f32;
-    var across_14: vec3<f32>;
+    var across_13: vec3<f32>;
     var local_103: vec3<f32>;
 
     wo_57 = wo_56;
@@ -8209,9 +8231,9 @@ fn interfaceLobeDirection(wo_56: vec3<f32>, n_50: vec3<f32>, angle_2: f32) -> ve
     let _e45 = n_51;
     let _e47 = n_51;
     let _e49 = wo_57;
-    across_14 = ((dot(_e44, _e45) * _e47) - _e49);
-    let _e52 = across_14;
-    let _e53 = across_14;
+    across_13 = ((dot(_e44, _e45) * _e47) - _e49);
+    let _e52 = across_13;
+    let _e53 = across_13;
     if !((dot(_e52, _e53) > 0.000000000001f)) {
         let _e58 = n_51;
         let _e59 = n_51;
@@ -8221,10 +8243,10 @@ fn interfaceLobeDirection(wo_56: vec3<f32>, n_50: vec3<f32>, angle_2: f32) -> ve
             local_103 = vec3<f32>(0f, 1f, 0f);
         }
         let _e73 = local_103;
-        across_14 = cross(_e58, _e73);
+        across_13 = cross(_e58, _e73);
     }
     let _e75 = angle_3;
-    let _e77 = across_14;
+    let _e77 = across_13;
     let _e80 = angle_3;
     let _e82 = n_51;
     return ((sin(_e75) * normalize(_e77)) - (cos(_e80) * _e82));
@@ -8275,11 +8297,11 @@ fn pyramidLevel(variance_3: f32, lastLevel: f32) -> f32 {
     return min((_e72 + clamp(((_e73 - _e74) / (_e76 - _e77)), 0f, 1f)), _e84);
 }
 
-fn normalIntegral(x_29: f32) -> f32 {
-    var x_30: f32;
+fn normalIntegral(x_30: f32) -> f32 {
+    var x_31: f32;
 
-    x_30 = x_29;
-    let _e44 = x_30;
+    x_31 = x_30;
+    let _e44 = x_31;
     return (1f / (1f + exp((-1.702f * _e44))));
 }
 
@@ -8288,8 +8310,8 @@ fn pyramidCoverage(at_25: vec2<f32>, size_23: vec2<f32>, sigma_10: f32) -> f32 {
     var size_24: vec2<f32>;
     var sigma_11: f32;
     var inverse: f32;
-    var x_31: f32;
-    var y_11: f32;
+    var x_32: f32;
+    var y_12: f32;
 
     at_26 = at_25;
     size_24 = size_23;
@@ -8303,7 +8325,7 @@ fn pyramidCoverage(at_25: vec2<f32>, size_23: vec2<f32>, sigma_10: f32) -> f32 {
     let _e58 = at_26;
     let _e61 = inverse;
     let _e63 = normalIntegral((-(_e58.x) * _e61));
-    x_31 = (_e57 - _e63);
+    x_32 = (_e57 - _e63);
     let _e66 = size_24;
     let _e68 = at_26;
     let _e71 = inverse;
@@ -8311,9 +8333,9 @@ fn pyramidCoverage(at_25: vec2<f32>, size_23: vec2<f32>, sigma_10: f32) -> f32 {
     let _e74 = at_26;
     let _e77 = inverse;
     let _e79 = normalIntegral((-(_e74.y) * _e77));
-    y_11 = (_e73 - _e79);
-    let _e82 = x_31;
-    let _e83 = y_11;
+    y_12 = (_e73 - _e79);
+    let _e82 = x_32;
+    let _e83 = y_12;
     return clamp((_e82 * _e83), 0f, 1f);
 }
 
@@ -8531,17 +8553,31 @@ fn engineFaceEnergy(cosTheta_53: f32, alpha_102: f32, eta_64: f32) -> InterfaceE
     var cosTheta_54: f32;
     var alpha_103: f32;
     var eta_65: f32;
+    var smoothly: InterfaceEnergy;
 
     cosTheta_54 = cosTheta_53;
     alpha_103 = alpha_102;
     eta_65 = eta_64;
-    let _e44 = cosTheta_54;
     let _e45 = alpha_103;
-    let _e46 = eta_65;
-    let _e47 = interfaceEnergyCoordinate(_e44, _e45, _e46);
-    let _e48 = engineInterfaceEnergy(_e47);
-    let _e49 = interfaceEnergy(_e48);
-    return _e49;
+    if (_e45 < SMOOTH_ALPHA) {
+        {
+            let _e49 = cosTheta_54;
+            let _e50 = eta_65;
+            let _e51 = fresnelTransmittedAt(_e49, _e50);
+            smoothly.transmitted = _e51;
+            let _e54 = smoothly;
+            smoothly.reflected = (1f - _e54.transmitted);
+            let _e57 = smoothly;
+            return _e57;
+        }
+    }
+    let _e58 = cosTheta_54;
+    let _e59 = alpha_103;
+    let _e60 = eta_65;
+    let _e61 = interfaceEnergyCoordinate(_e58, _e59, _e60);
+    let _e62 = engineInterfaceEnergy(_e61);
+    let _e63 = interfaceEnergy(_e62);
+    return _e63;
 }
 
 fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
@@ -8550,59 +8586,62 @@ fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
     var view_34: SceneView;
     var cosTheta_55: f32;
     var energy_3: f32;
-    var texel_9: vec4<f32>;
+    var texel_9: vec4<f32> = vec4(0f);
     var lobe_10: ComposedLobe;
     var met_7: SceneIntersection;
 
     face_11 = face_10;
     ior_1 = ior;
     view_34 = view_33;
-    let _e44 = face_11;
-    let _e46 = face_11;
-    cosTheta_55 = dot(_e44.wo, _e46.n);
-    let _e50 = cosTheta_55;
-    let _e51 = face_11;
-    let _e53 = ior_1;
-    let _e54 = engineFaceEnergy(_e50, _e51.alpha, _e53);
-    energy_3 = _e54.reflected;
-    let _e57 = cosTheta_55;
-    let _e58 = face_11;
-    let _e60 = ior_1;
-    let _e61 = fresnelNormalIncidence(_e60);
-    let _e62 = energy_3;
-    let _e63 = edgeShare(_e61, _e62);
-    let _e64 = lobeCoordinate(_e57, _e58.alpha, _e63);
-    let _e65 = engineReflectionLobe(_e64);
-    texel_9 = _e65;
-    let _e70 = cosTheta_55;
-    let _e72 = face_11;
-    let _e75 = face_11;
+    let _e45 = face_11;
+    let _e47 = face_11;
+    cosTheta_55 = dot(_e45.wo, _e47.n);
+    let _e51 = cosTheta_55;
+    let _e52 = face_11;
+    let _e54 = ior_1;
+    let _e55 = engineFaceEnergy(_e51, _e52.alpha, _e54);
+    energy_3 = _e55.reflected;
+    let _e61 = face_11;
+    if (_e61.alpha >= SMOOTH_ALPHA) {
+        let _e64 = cosTheta_55;
+        let _e65 = face_11;
+        let _e67 = ior_1;
+        let _e68 = fresnelNormalIncidence(_e67);
+        let _e69 = energy_3;
+        let _e70 = edgeShare(_e68, _e69);
+        let _e71 = lobeCoordinate(_e64, _e65.alpha, _e70);
+        let _e72 = engineReflectionLobe(_e71);
+        texel_9 = _e72;
+    }
+    let _e76 = cosTheta_55;
     let _e78 = face_11;
-    let _e80 = texel_9;
-    let _e82 = lobeDirection((((2f * _e70) * _e72.n) - _e75.wo), _e78.n, _e80.x);
-    lobe_10.direction = _e82;
-    let _e84 = texel_9;
+    let _e81 = face_11;
+    let _e84 = face_11;
     let _e86 = texel_9;
-    let _e89 = face_11;
-    let _e92 = face_11;
-    let _e96 = face_11;
-    lobe_10.sigma = sqrt(((((_e84.y * _e86.y) * _e89.alpha) * _e92.alpha) + (4f * _e96.turn)));
-    let _e102 = energy_3;
-    lobe_10.weight = _e102;
+    let _e88 = lobeDirection((((2f * _e76) * _e78.n) - _e81.wo), _e84.n, _e86.x);
+    lobe_10.direction = _e88;
+    let _e90 = texel_9;
+    let _e92 = texel_9;
+    let _e95 = face_11;
+    let _e98 = face_11;
+    let _e102 = face_11;
+    lobe_10.sigma = sqrt(((((_e90.y * _e92.y) * _e95.alpha) * _e98.alpha) + (4f * _e102.turn)));
+    let _e108 = energy_3;
+    lobe_10.weight = _e108;
     lobe_10.inner = 0f;
     lobe_10.carried = 0f;
-    let _e107 = face_11;
-    let _e109 = lobe_10;
-    let _e111 = view_34;
-    let _e112 = sceneIntersection(_e107.position, _e109.direction, _e111);
-    met_7 = _e112;
-    let _e114 = energy_3;
+    let _e113 = face_11;
     let _e115 = lobe_10;
-    let _e116 = face_11;
-    let _e119 = met_7;
-    let _e120 = view_34;
-    let _e121 = lobeRadiance(_e115, _e116.position, 0f, _e119, _e120);
-    return (_e114 * _e121);
+    let _e117 = view_34;
+    let _e118 = sceneIntersection(_e113.position, _e115.direction, _e117);
+    met_7 = _e118;
+    let _e120 = energy_3;
+    let _e121 = lobe_10;
+    let _e122 = face_11;
+    let _e125 = met_7;
+    let _e126 = view_34;
+    let _e127 = lobeRadiance(_e121, _e122.position, 0f, _e125, _e126);
+    return (_e120 * _e127);
 }
 
 fn internalScatteringLossGgx() -> InternalScatteringLoss {
@@ -8612,8 +8651,8 @@ fn internalScatteringLossGgx() -> InternalScatteringLoss {
     k_26.constant = 0.254f;
     k_26.thin = 1.078f;
     k_26.passes = 0.3f;
-    let _e47 = k_26;
-    return _e47;
+    let _e48 = k_26;
+    return _e48;
 }
 
 fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
@@ -8623,8 +8662,8 @@ fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
     k_27.constant = 1.555f;
     k_27.thin = 0.565f;
     k_27.passes = 0f;
-    let _e47 = k_27;
-    return _e47;
+    let _e48 = k_27;
+    return _e48;
 }
 
 fn internalScatteringPasses(ior_2: f32) -> f32 {
@@ -8634,201 +8673,213 @@ fn internalScatteringPasses(ior_2: f32) -> f32 {
     var local_111: f32;
 
     ior_3 = ior_2;
-    let _e40 = ior_3;
-    let _e42 = ior_3;
-    eta_66 = max(_e40, (1f / _e42));
-    let _e48 = eta_66;
-    let _e49 = fresnelTransmittedAt(0.355051f, _e48);
-    let _e53 = eta_66;
-    let _e54 = fresnelTransmittedAt(0.844949f, _e53);
-    passes = ((0.363917f * _e49) + (0.636083f * _e54));
-    let _e58 = ior_3;
-    if (_e58 > 1f) {
-        let _e61 = passes;
-        let _e62 = ior_3;
+    let _e41 = ior_3;
+    let _e43 = ior_3;
+    eta_66 = max(_e41, (1f / _e43));
+    let _e49 = eta_66;
+    let _e50 = fresnelTransmittedAt(0.355051f, _e49);
+    let _e54 = eta_66;
+    let _e55 = fresnelTransmittedAt(0.844949f, _e54);
+    passes = ((0.363917f * _e50) + (0.636083f * _e55));
+    let _e59 = ior_3;
+    if (_e59 > 1f) {
+        let _e62 = passes;
         let _e63 = ior_3;
-        local_111 = (_e61 / (_e62 * _e63));
+        let _e64 = ior_3;
+        local_111 = (_e62 / (_e63 * _e64));
     } else {
-        let _e66 = passes;
-        local_111 = _e66;
+        let _e67 = passes;
+        local_111 = _e67;
     }
-    let _e68 = local_111;
-    return _e68;
+    let _e69 = local_111;
+    return _e69;
 }
 
 fn internalScatteringAt(alpha_104: f32, ior_4: f32, k_28: InternalScatteringLoss) -> InternalScattering {
     var alpha_105: f32;
     var ior_5: f32;
     var k_29: InternalScatteringLoss;
-    var smoothly: f32;
+    var smoothly_1: f32;
     var alpha2_1: f32;
-    var lost_2: f32;
-    var w_33: InternalScattering;
+    var lost_3: f32;
+    var w_27: InternalScattering;
 
     alpha_105 = alpha_104;
     ior_5 = ior_4;
     k_29 = k_28;
-    let _e44 = ior_5;
-    let _e45 = internalScatteringPasses(_e44);
-    smoothly = _e45;
-    let _e47 = alpha_105;
+    let _e45 = ior_5;
+    let _e46 = internalScatteringPasses(_e45);
+    smoothly_1 = _e46;
     let _e48 = alpha_105;
-    alpha2_1 = (_e47 * _e48);
-    let _e51 = alpha2_1;
+    let _e49 = alpha_105;
+    alpha2_1 = (_e48 * _e49);
     let _e52 = alpha2_1;
-    let _e53 = k_29;
-    let _e55 = alpha_105;
-    let _e58 = k_29;
-    let _e63 = k_29;
-    let _e65 = alpha_105;
-    let _e67 = smoothly;
-    lost_2 = ((_e51 / ((_e52 + (_e53.linear * _e55)) + _e58.constant)) * max((1f - ((_e63.thin * _e65) * max((_e67 - 0.4f), 0f))), 0f));
-    let _e80 = smoothly;
-    let _e82 = k_29;
-    let _e84 = alpha2_1;
-    w_33.passes = (_e80 * (1f - (_e82.passes * _e84)));
-    let _e90 = w_33;
-    let _e93 = lost_2;
-    w_33.back = max(((1f - _e90.passes) - _e93), 0f);
-    let _e97 = w_33;
-    return _e97;
+    let _e53 = alpha2_1;
+    let _e54 = k_29;
+    let _e56 = alpha_105;
+    let _e59 = k_29;
+    let _e64 = k_29;
+    let _e66 = alpha_105;
+    let _e68 = smoothly_1;
+    lost_3 = ((_e52 / ((_e53 + (_e54.linear * _e56)) + _e59.constant)) * max((1f - ((_e64.thin * _e66) * max((_e68 - 0.4f), 0f))), 0f));
+    let _e81 = smoothly_1;
+    let _e83 = k_29;
+    let _e85 = alpha2_1;
+    w_27.passes = (_e81 * (1f - (_e83.passes * _e85)));
+    let _e91 = w_27;
+    let _e94 = lost_3;
+    w_27.back = max(((1f - _e91.passes) - _e94), 0f);
+    let _e98 = w_27;
+    return _e98;
 }
 
-fn internalScatteringConcave(w_34: InternalScattering, again: f32) -> InternalScattering {
-    var w_35: InternalScattering;
+fn internalScatteringConcave(w_28: InternalScattering, again: f32) -> InternalScattering {
+    var w_29: InternalScattering;
     var again_1: f32;
     var concave: InternalScattering;
 
-    w_35 = w_34;
+    w_29 = w_28;
     again_1 = again;
-    let _e45 = again_1;
-    let _e47 = w_35;
-    concave.passes = ((1f - _e45) * _e47.passes);
-    let _e51 = w_35;
-    let _e53 = again_1;
-    let _e54 = w_35;
-    concave.back = (_e51.back + (_e53 * _e54.passes));
-    let _e58 = concave;
-    return _e58;
+    let _e46 = again_1;
+    let _e48 = w_29;
+    concave.passes = ((1f - _e46) * _e48.passes);
+    let _e52 = w_29;
+    let _e54 = again_1;
+    let _e55 = w_29;
+    concave.back = (_e52.back + (_e54 * _e55.passes));
+    let _e59 = concave;
+    return _e59;
 }
 
-fn internalScatteringEscapes(w_36: InternalScattering, way_7: vec3<f32>) -> vec3<f32> {
-    var w_37: InternalScattering;
+fn internalScatteringEscapes(w_30: InternalScattering, way_7: vec3<f32>) -> vec3<f32> {
+    var w_31: InternalScattering;
     var way_8: vec3<f32>;
 
-    w_37 = w_36;
+    w_31 = w_30;
     way_8 = way_7;
-    let _e42 = w_37;
-    let _e44 = way_8;
-    let _e48 = w_37;
-    let _e50 = way_8;
-    let _e53 = w_37;
-    return ((_e42.passes * _e44) / max((vec3(1f) - (_e48.back * _e50)), vec3(_e53.passes)));
+    let _e43 = w_31;
+    let _e45 = way_8;
+    let _e49 = w_31;
+    let _e51 = way_8;
+    let _e54 = w_31;
+    return ((_e43.passes * _e45) / max((vec3(1f) - (_e49.back * _e51)), vec3(_e54.passes)));
 }
 
-fn engineFaceLobe(lobe_11: i32, cosTheta_56: f32, alpha_106: f32, eta_67: f32) -> InterfaceLobe {
-    var lobe_12: i32;
+fn engineFaceLobes(cosTheta_56: f32, alpha_106: f32, eta_67: f32) -> FaceLobes {
     var cosTheta_57: f32;
     var alpha_107: f32;
     var eta_68: f32;
+    var core_6: vec4<f32> = vec4<f32>(0f, 0f, 1f, 0f);
+    var tail_5: vec4<f32> = vec4(0f);
+    var at_28: vec3<f32>;
+    var lobes_8: FaceLobes;
 
-    lobe_12 = lobe_11;
     cosTheta_57 = cosTheta_56;
     alpha_107 = alpha_106;
     eta_68 = eta_67;
-    let _e47 = lobe_12;
-    let _e49 = cosTheta_57;
-    let _e50 = alpha_107;
-    let _e51 = eta_68;
-    let _e52 = interfaceLobeCoordinate(_e47, 2i, _e49, _e50, _e51);
-    let _e53 = engineInterfaceLobe(_e52);
-    let _e54 = cosTheta_57;
-    let _e55 = alpha_107;
-    let _e56 = eta_68;
-    let _e57 = interfaceLobe(_e53, _e54, _e55, _e56);
-    return _e57;
+    let _e54 = alpha_107;
+    if (_e54 >= SMOOTH_ALPHA) {
+        {
+            let _e58 = cosTheta_57;
+            let _e59 = alpha_107;
+            let _e60 = eta_68;
+            let _e61 = interfaceLobeCoordinate(0i, 2i, _e58, _e59, _e60);
+            at_28 = _e61;
+            let _e63 = at_28;
+            let _e64 = engineInterfaceLobe(_e63);
+            core_6 = _e64;
+            let _e65 = at_28;
+            let _e71 = engineInterfaceLobe((_e65 + vec3<f32>(0f, 0.5f, 0f)));
+            tail_5 = _e71;
+        }
+    }
+    let _e74 = core_6;
+    let _e75 = cosTheta_57;
+    let _e76 = alpha_107;
+    let _e77 = eta_68;
+    let _e78 = interfaceLobe(_e74, _e75, _e76, _e77);
+    lobes_8.core = _e78;
+    let _e80 = tail_5;
+    let _e81 = cosTheta_57;
+    let _e82 = alpha_107;
+    let _e83 = eta_68;
+    let _e84 = interfaceLobe(_e80, _e81, _e82, _e83);
+    lobes_8.tail = _e84;
+    let _e85 = lobes_8;
+    return _e85;
 }
 
-fn engineEnteringLobe(lobe_13: i32, face_12: GlassFace, ior_6: f32, energy_4: f32) -> InnerLobe {
-    var lobe_14: i32;
+fn engineEnteringLobe(read_: InterfaceLobe, face_12: GlassFace, ior_6: f32, energy_4: f32) -> InnerLobe {
+    var read_1: InterfaceLobe;
     var face_13: GlassFace;
     var ior_7: f32;
     var energy_5: f32;
-    var read_: InterfaceLobe;
     var inner_6: InnerLobe;
     var matched: bool;
     var local_112: vec3<f32>;
     var local_113: f32;
     var local_114: f32;
 
-    lobe_14 = lobe_13;
+    read_1 = read_;
     face_13 = face_12;
     ior_7 = ior_6;
     energy_5 = energy_4;
-    let _e47 = lobe_14;
-    let _e48 = face_13;
-    let _e50 = face_13;
-    let _e53 = face_13;
-    let _e55 = ior_7;
-    let _e56 = engineFaceLobe(_e47, dot(_e48.wo, _e50.n), _e53.alpha, _e55);
-    read_ = _e56;
-    let _e59 = ior_7;
-    matched = (abs((_e59 - 1f)) < INDEX_MATCHED);
-    let _e66 = matched;
-    if _e66 {
-        let _e67 = face_13;
-        local_112 = -(_e67.wo);
+    let _e48 = ior_7;
+    matched = (abs((_e48 - 1f)) < INDEX_MATCHED);
+    let _e55 = matched;
+    if _e55 {
+        let _e56 = face_13;
+        local_112 = -(_e56.wo);
     } else {
-        let _e70 = face_13;
-        let _e72 = face_13;
-        let _e74 = read_;
-        let _e76 = interfaceLobeDirection(_e70.wo, _e72.n, _e74.angle);
-        local_112 = _e76;
+        let _e59 = face_13;
+        let _e61 = face_13;
+        let _e63 = read_1;
+        let _e65 = interfaceLobeDirection(_e59.wo, _e61.n, _e63.angle);
+        local_112 = _e65;
     }
-    let _e78 = local_112;
-    inner_6.direction = _e78;
-    let _e80 = matched;
-    if _e80 {
+    let _e67 = local_112;
+    inner_6.direction = _e67;
+    let _e69 = matched;
+    if _e69 {
         local_113 = 0f;
     } else {
-        let _e82 = read_;
-        local_113 = _e82.sigma;
+        let _e71 = read_1;
+        local_113 = _e71.sigma;
     }
-    let _e85 = local_113;
-    inner_6.sigma = _e85;
-    let _e87 = read_;
-    let _e89 = matched;
-    if _e89 {
+    let _e74 = local_113;
+    inner_6.sigma = _e74;
+    let _e76 = read_1;
+    let _e78 = matched;
+    if _e78 {
         local_114 = 1f;
     } else {
-        let _e91 = energy_5;
-        local_114 = _e91;
+        let _e80 = energy_5;
+        local_114 = _e80;
     }
-    let _e93 = local_114;
-    inner_6.weight = (_e87.weight * _e93);
-    let _e95 = inner_6;
-    return _e95;
+    let _e82 = local_114;
+    inner_6.weight = (_e76.weight * _e82);
+    let _e84 = inner_6;
+    return _e84;
 }
 
-fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: Widening) -> ComposedPair {
+fn engineLeavingPair(inner_7: InnerLobe, core_7: bool, s_19: ExitSurface, k_30: Widening) -> ComposedPair {
     var inner_8: InnerLobe;
-    var core_7: bool;
+    var core_8: bool;
     var s_20: ExitSurface;
     var k_31: Widening;
     var view_35: ExitView;
     var cosTheta_58: f32;
     var local_115: f32;
     var energy_6: f32;
-    var first_8: InterfaceLobe;
+    var lobes_9: FaceLobes;
     var one_1: ComposedPair;
-    var second_1: InterfaceLobe;
 
     inner_8 = inner_7;
-    core_7 = core_6;
+    core_8 = core_7;
     s_20 = s_19;
     k_31 = k_30;
     let _e47 = inner_8;
-    let _e48 = core_7;
+    let _e48 = core_8;
     let _e49 = s_20;
     let _e50 = k_31;
     let _e51 = seeExit(_e47, _e48, _e49, _e50);
@@ -8847,53 +8898,48 @@ fn engineLeavingPair(inner_7: InnerLobe, core_6: bool, s_19: ExitSurface, k_30: 
     }
     let _e73 = local_115;
     energy_6 = _e73;
-    let _e76 = cosTheta_58;
-    let _e77 = view_35;
-    let _e79 = s_20;
-    let _e81 = engineFaceLobe(0i, _e76, _e77.alphaShape, _e79.eta);
-    first_8 = _e81;
-    let _e83 = view_35;
-    if (_e83.alphaShape < SMOOTH_ALPHA) {
+    let _e75 = cosTheta_58;
+    let _e76 = view_35;
+    let _e78 = s_20;
+    let _e80 = engineFaceLobes(_e75, _e76.alphaShape, _e78.eta);
+    lobes_9 = _e80;
+    let _e82 = view_35;
+    if (_e82.alphaShape < SMOOTH_ALPHA) {
         {
-            let _e88 = inner_8;
-            let _e89 = view_35;
-            let _e90 = s_20;
-            let _e91 = first_8;
-            let _e93 = first_8;
-            let _e96 = energy_6;
-            let _e97 = composeLobe(_e88, _e89, _e90, _e91.angle, _e93.sigma, 1f, _e96);
-            one_1.core = _e97;
-            let _e99 = one_1;
-            one_1.rest = _e99.core;
+            let _e87 = inner_8;
+            let _e88 = view_35;
+            let _e89 = s_20;
+            let _e90 = lobes_9;
+            let _e93 = lobes_9;
+            let _e97 = energy_6;
+            let _e98 = composeLobe(_e87, _e88, _e89, _e90.core.angle, _e93.core.sigma, 1f, _e97);
+            one_1.core = _e98;
+            let _e100 = one_1;
+            one_1.rest = _e100.core;
             one_1.rest.weight = 0f;
-            let _e104 = one_1;
-            return _e104;
+            let _e105 = one_1;
+            return _e105;
         }
     }
-    let _e106 = cosTheta_58;
+    let _e106 = inner_8;
     let _e107 = view_35;
-    let _e109 = s_20;
-    let _e111 = engineFaceLobe(1i, _e106, _e107.alphaShape, _e109.eta);
-    second_1 = _e111;
-    let _e113 = inner_8;
-    let _e114 = view_35;
-    let _e115 = s_20;
-    let _e116 = first_8;
-    let _e118 = first_8;
-    let _e120 = first_8;
-    let _e122 = energy_6;
-    let _e123 = composeLobe(_e113, _e114, _e115, _e116.angle, _e118.sigma, _e120.weight, _e122);
-    let _e124 = inner_8;
-    let _e125 = view_35;
-    let _e126 = s_20;
-    let _e127 = second_1;
-    let _e129 = second_1;
-    let _e131 = second_1;
-    let _e133 = energy_6;
-    let _e134 = composeLobe(_e124, _e125, _e126, _e127.angle, _e129.sigma, _e131.weight, _e133);
-    let _e135 = view_35;
-    let _e136 = composedPair(_e123, _e134, _e135);
-    return _e136;
+    let _e108 = s_20;
+    let _e109 = lobes_9;
+    let _e112 = lobes_9;
+    let _e115 = lobes_9;
+    let _e118 = energy_6;
+    let _e119 = composeLobe(_e106, _e107, _e108, _e109.core.angle, _e112.core.sigma, _e115.core.weight, _e118);
+    let _e120 = inner_8;
+    let _e121 = view_35;
+    let _e122 = s_20;
+    let _e123 = lobes_9;
+    let _e126 = lobes_9;
+    let _e129 = lobes_9;
+    let _e132 = energy_6;
+    let _e133 = composeLobe(_e120, _e121, _e122, _e123.tail.angle, _e126.tail.sigma, _e129.tail.weight, _e132);
+    let _e134 = view_35;
+    let _e135 = composedPair(_e119, _e133, _e134);
+    return _e135;
 }
 
 fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLobe, entered: f32, e_8: ConvexExit, passed: f32) -> vec3<f32> {
@@ -8905,16 +8951,16 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     var passed_1: f32;
     var cosTheta_59: f32;
     var own_2: InterfaceEnergy;
-    var w_38: InternalScattering;
+    var w_32: InternalScattering;
+    var way_9: vec3<f32>;
+    var weight_3: vec3<f32>;
     var reflected: vec3<f32>;
     var q_2: f32;
     var near_2: vec3<f32>;
     var outward_3: vec3<f32>;
     var spread_5: f32;
-    var way_9: vec3<f32>;
     var local_116: vec3<f32>;
     var direction_26: vec3<f32>;
-    var seen_2: vec3<f32>;
 
     face_15 = face_14;
     body_3 = body_2;
@@ -8922,106 +8968,114 @@ fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLob
     entered_1 = entered;
     e_9 = e_8;
     passed_1 = passed;
-    let _e52 = inner_10;
-    let _e54 = e_9;
-    cosTheta_59 = max(dot(_e52.direction, _e54.surface.n), 0f);
-    let _e61 = cosTheta_59;
-    let _e62 = body_3;
-    let _e64 = e_9;
-    let _e67 = engineFaceEnergy(_e61, _e62.backAlpha, _e64.surface.eta);
-    own_2 = _e67;
-    let _e71 = passed_1;
-    w_38.passes = _e71;
-    let _e73 = own_2;
-    let _e75 = own_2;
-    let _e78 = passed_1;
-    w_38.back = clamp(((_e73.transmitted + _e75.reflected) - _e78), 0f, 0.99f);
-    let _e83 = inner_10;
-    let _e86 = cosTheta_59;
-    let _e88 = e_9;
-    reflected = (_e83.direction - ((2f * _e86) * _e88.surface.n));
-    let _e94 = body_3;
-    let _e96 = body_3;
-    q_2 = clamp((_e94.thickness * _e96.curvature), 0f, 2f);
-    let _e103 = face_15;
-    let _e105 = e_9;
-    let _e109 = cosTheta_59;
-    let _e111 = reflected;
-    let _e115 = q_2;
-    near_2 = normalize(mix(_e103.n, (_e105.surface.n + ((2f * _e109) * _e111)), vec3((0.5f * _e115))));
-    let _e121 = reflected;
-    let _e123 = near_2;
-    let _e125 = e_9;
-    let _e128 = refractAbout(-(_e121), -(_e123), _e125.surface.eta);
-    outward_3 = _e128;
-    let _e130 = inner_10;
-    let _e132 = inner_10;
-    let _e136 = body_3;
-    let _e139 = body_3;
-    let _e144 = body_3;
-    spread_5 = (sqrt(((_e130.sigma * _e132.sigma) + ((4f * _e136.backAlpha) * _e139.backAlpha))) * _e144.ior);
-    let _e148 = e_9;
-    let _e151 = body_3;
-    way_9 = exp((-(_e148.path) * _e151.attenuation));
-    let _e156 = outward_3;
-    let _e157 = outward_3;
-    if (dot(_e156, _e157) > 0f) {
-        let _e161 = outward_3;
-        local_116 = _e161;
-    } else {
-        let _e162 = near_2;
-        local_116 = _e162;
+    let _e53 = inner_10;
+    let _e55 = e_9;
+    cosTheta_59 = max(dot(_e53.direction, _e55.surface.n), 0f);
+    let _e62 = cosTheta_59;
+    let _e63 = body_3;
+    let _e65 = e_9;
+    let _e68 = engineFaceEnergy(_e62, _e63.backAlpha, _e65.surface.eta);
+    own_2 = _e68;
+    let _e72 = passed_1;
+    w_32.passes = _e72;
+    let _e74 = own_2;
+    let _e76 = own_2;
+    let _e79 = passed_1;
+    w_32.back = clamp(((_e74.transmitted + _e76.reflected) - _e79), 0f, 0.99f);
+    let _e84 = e_9;
+    let _e87 = body_3;
+    way_9 = exp((-(_e84.path) * _e87.attenuation));
+    let _e92 = entered_1;
+    let _e94 = w_32;
+    let _e97 = way_9;
+    let _e99 = w_32;
+    let _e100 = way_9;
+    let _e101 = internalScatteringEscapes(_e99, _e100);
+    weight_3 = ((((SCATTERED_SEEN * _e92) * _e94.back) * _e97) * _e101);
+    let _e104 = weight_3;
+    let _e106 = weight_3;
+    let _e108 = weight_3;
+    if (max(_e104.x, max(_e106.y, _e108.z)) < SCATTERED_LEAST) {
+        return vec3(0f);
     }
-    let _e164 = local_116;
-    direction_26 = _e164;
-    let _e166 = direction_26;
-    let _e167 = spread_5;
-    let _e170 = engineEnvironment(_e166, min(_e167, 0.606f));
-    seen_2 = (SCATTERED_SEEN * _e170);
-    let _e173 = entered_1;
-    let _e174 = w_38;
-    let _e177 = way_9;
-    let _e179 = w_38;
-    let _e180 = way_9;
-    let _e181 = internalScatteringEscapes(_e179, _e180);
-    let _e183 = seen_2;
-    return ((((_e173 * _e174.back) * _e177) * _e181) * _e183);
+    let _e115 = inner_10;
+    let _e118 = cosTheta_59;
+    let _e120 = e_9;
+    reflected = (_e115.direction - ((2f * _e118) * _e120.surface.n));
+    let _e126 = body_3;
+    let _e128 = body_3;
+    q_2 = clamp((_e126.thickness * _e128.curvature), 0f, 2f);
+    let _e135 = face_15;
+    let _e137 = e_9;
+    let _e141 = cosTheta_59;
+    let _e143 = reflected;
+    let _e147 = q_2;
+    near_2 = normalize(mix(_e135.n, (_e137.surface.n + ((2f * _e141) * _e143)), vec3((0.5f * _e147))));
+    let _e153 = reflected;
+    let _e155 = near_2;
+    let _e157 = e_9;
+    let _e160 = refractAbout(-(_e153), -(_e155), _e157.surface.eta);
+    outward_3 = _e160;
+    let _e162 = inner_10;
+    let _e164 = inner_10;
+    let _e168 = body_3;
+    let _e171 = body_3;
+    let _e176 = body_3;
+    spread_5 = (sqrt(((_e162.sigma * _e164.sigma) + ((4f * _e168.backAlpha) * _e171.backAlpha))) * _e176.ior);
+    let _e180 = outward_3;
+    let _e181 = outward_3;
+    if (dot(_e180, _e181) > 0f) {
+        let _e185 = outward_3;
+        local_116 = _e185;
+    } else {
+        let _e186 = near_2;
+        local_116 = _e186;
+    }
+    let _e188 = local_116;
+    direction_26 = _e188;
+    let _e190 = weight_3;
+    let _e191 = direction_26;
+    let _e192 = spread_5;
+    let _e195 = engineEnvironment(_e191, min(_e192, 0.606f));
+    return (_e190 * _e195);
 }
 
 fn enterGlass(face_16: GlassFace, ior_8: f32) -> Entering {
     var face_17: GlassFace;
     var ior_9: f32;
     var e_10: Entering;
+    var cosTheta_60: f32;
+    var lobes_10: FaceLobes;
 
     face_17 = face_16;
     ior_9 = ior_8;
     let _e46 = face_17;
     let _e48 = face_17;
-    let _e51 = face_17;
-    let _e53 = ior_9;
-    let _e54 = engineFaceEnergy(dot(_e46.wo, _e48.n), _e51.alpha, _e53);
-    e_10.energy = _e54.transmitted;
-    let _e58 = face_17;
-    let _e59 = ior_9;
-    let _e60 = e_10;
-    let _e62 = engineEnteringLobe(0i, _e58, _e59, _e60.energy);
-    e_10.core = _e62;
-    let _e64 = e_10;
-    e_10.tail = _e64.core;
-    e_10.tail.weight = 0f;
-    let _e69 = face_17;
-    if (_e69.alpha < SMOOTH_ALPHA) {
-        let _e74 = e_10;
-        e_10.core.weight = _e74.energy;
-    } else {
-        let _e78 = face_17;
-        let _e79 = ior_9;
-        let _e80 = e_10;
-        let _e82 = engineEnteringLobe(1i, _e78, _e79, _e80.energy);
-        e_10.tail = _e82;
-    }
-    let _e83 = e_10;
-    return _e83;
+    cosTheta_60 = dot(_e46.wo, _e48.n);
+    let _e53 = cosTheta_60;
+    let _e54 = face_17;
+    let _e56 = ior_9;
+    let _e57 = engineFaceEnergy(_e53, _e54.alpha, _e56);
+    e_10.energy = _e57.transmitted;
+    let _e59 = cosTheta_60;
+    let _e60 = face_17;
+    let _e62 = ior_9;
+    let _e63 = engineFaceLobes(_e59, _e60.alpha, _e62);
+    lobes_10 = _e63;
+    let _e66 = lobes_10;
+    let _e68 = face_17;
+    let _e69 = ior_9;
+    let _e70 = e_10;
+    let _e72 = engineEnteringLobe(_e66.core, _e68, _e69, _e70.energy);
+    e_10.core = _e72;
+    let _e74 = lobes_10;
+    let _e76 = face_17;
+    let _e77 = ior_9;
+    let _e78 = e_10;
+    let _e80 = engineEnteringLobe(_e74.tail, _e76, _e77, _e78.energy);
+    e_10.tail = _e80;
+    let _e81 = e_10;
+    return _e81;
 }
 
 fn leaveGlass(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, coreExit: ConvexExit, tailExit: ConvexExit, k_32: Widening) -> Leaving {
@@ -9041,42 +9095,42 @@ fn leaveGlass(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, coreExit: 
     coreExit_1 = coreExit;
     tailExit_1 = tailExit;
     k_33 = k_32;
-    let _e54 = e_12;
-    let _e57 = coreExit_1;
-    let _e59 = k_33;
-    let _e60 = engineLeavingPair(_e54.core, true, _e57.surface, _e59);
-    leaving.pair = _e60;
-    let _e62 = e_12;
-    if (_e62.core.weight > 0f) {
-        let _e67 = leaving;
-        let _e71 = leaving;
-        let _e76 = e_12;
-        local_117 = ((_e67.pair.core.weight + _e71.pair.rest.weight) / _e76.core.weight);
+    let _e55 = e_12;
+    let _e58 = coreExit_1;
+    let _e60 = k_33;
+    let _e61 = engineLeavingPair(_e55.core, true, _e58.surface, _e60);
+    leaving.pair = _e61;
+    let _e63 = e_12;
+    if (_e63.core.weight > 0f) {
+        let _e68 = leaving;
+        let _e72 = leaving;
+        let _e77 = e_12;
+        local_117 = ((_e68.pair.core.weight + _e72.pair.rest.weight) / _e77.core.weight);
     } else {
         local_117 = 0f;
     }
-    let _e82 = local_117;
-    leaving.passed = _e82;
-    let _e83 = e_12;
-    if (_e83.tail.weight > 0f) {
-        let _e89 = leaving;
-        let _e91 = e_12;
-        let _e94 = tailExit_1;
-        let _e96 = k_33;
-        let _e97 = engineLeavingPair(_e91.tail, false, _e94.surface, _e96);
-        let _e98 = mergePairs(_e89.pair, _e97);
-        leaving.pair = _e98;
+    let _e83 = local_117;
+    leaving.passed = _e83;
+    let _e84 = e_12;
+    if (_e84.tail.weight > 0f) {
+        let _e90 = leaving;
+        let _e92 = e_12;
+        let _e95 = tailExit_1;
+        let _e97 = k_33;
+        let _e98 = engineLeavingPair(_e92.tail, false, _e95.surface, _e97);
+        let _e99 = mergePairs(_e90.pair, _e98);
+        leaving.pair = _e99;
     }
-    let _e102 = body_5;
-    bent = (2f * (1f - (1f / _e102.ior)));
-    let _e111 = leaving;
-    let _e115 = leaving;
-    let _e120 = bent;
+    let _e103 = body_5;
+    bent = (2f * (1f - (1f / _e103.ior)));
+    let _e112 = leaving;
+    let _e116 = leaving;
     let _e121 = bent;
-    let _e123 = face_19;
-    leaving.pair.core.sigma = sqrt(((_e111.pair.core.sigma * _e115.pair.core.sigma) + ((_e120 * _e121) * _e123.turn)));
-    let _e128 = leaving;
-    return _e128;
+    let _e122 = bent;
+    let _e124 = face_19;
+    leaving.pair.core.sigma = sqrt(((_e112.pair.core.sigma * _e116.pair.core.sigma) + ((_e121 * _e122) * _e124.turn)));
+    let _e129 = leaving;
+    return _e129;
 }
 
 fn pairRadiance(pair_3: ComposedPair, origin_18: vec3<f32>, inside_7: f32, view_36: SceneView) -> vec3<f32> {
@@ -9086,47 +9140,47 @@ fn pairRadiance(pair_3: ComposedPair, origin_18: vec3<f32>, inside_7: f32, view_
     var view_37: SceneView;
     var met_8: SceneIntersection;
     var sum_14: vec3<f32> = vec3(0f);
-    var lobe_15: ComposedLobe;
+    var lobe_11: ComposedLobe;
     var which_8: i32 = 0i;
 
     pair_4 = pair_3;
     origin_19 = origin_18;
     inside_8 = inside_7;
     view_37 = view_36;
-    let _e48 = origin_19;
-    let _e49 = pair_4;
-    let _e52 = view_37;
-    let _e53 = sceneIntersection(_e48, _e49.core.direction, _e52);
-    met_8 = _e53;
-    let _e58 = pair_4;
-    lobe_15 = _e58.core;
+    let _e49 = origin_19;
+    let _e50 = pair_4;
+    let _e53 = view_37;
+    let _e54 = sceneIntersection(_e49, _e50.core.direction, _e53);
+    met_8 = _e54;
+    let _e59 = pair_4;
+    lobe_11 = _e59.core;
     loop {
-        let _e63 = which_8;
-        let _e66 = which_8;
-        let _e69 = lobe_15;
-        if !(((_e63 < 2i) && ((_e66 == 0i) || (_e69.weight > 0f)))) {
+        let _e64 = which_8;
+        let _e67 = which_8;
+        let _e70 = lobe_11;
+        if !(((_e64 < 2i) && ((_e67 == 0i) || (_e70.weight > 0f)))) {
             break;
         }
         {
-            let _e79 = sum_14;
-            let _e80 = lobe_15;
-            let _e82 = lobe_15;
-            let _e83 = origin_19;
-            let _e84 = inside_8;
-            let _e85 = met_8;
-            let _e86 = view_37;
-            let _e87 = lobeRadiance(_e82, _e83, _e84, _e85, _e86);
-            sum_14 = (_e79 + (_e80.weight * _e87));
-            let _e90 = pair_4;
-            lobe_15 = _e90.rest;
+            let _e80 = sum_14;
+            let _e81 = lobe_11;
+            let _e83 = lobe_11;
+            let _e84 = origin_19;
+            let _e85 = inside_8;
+            let _e86 = met_8;
+            let _e87 = view_37;
+            let _e88 = lobeRadiance(_e83, _e84, _e85, _e86, _e87);
+            sum_14 = (_e80 + (_e81.weight * _e88));
+            let _e91 = pair_4;
+            lobe_11 = _e91.rest;
         }
         continuing {
-            let _e76 = which_8;
-            which_8 = (_e76 + 1i);
+            let _e77 = which_8;
+            which_8 = (_e77 + 1i);
         }
     }
-    let _e92 = sum_14;
-    return _e92;
+    let _e93 = sum_14;
+    return _e93;
 }
 
 fn refractThrough(face_20: GlassFace, body_6: ConvexBody, e_13: Entering, origin_20: vec3<f32>, coreExit_2: ConvexExit, tailExit_2: ConvexExit, view_38: SceneView, k_34: Widening) -> vec3<f32> {
@@ -9149,31 +9203,31 @@ fn refractThrough(face_20: GlassFace, body_6: ConvexBody, e_13: Entering, origin
     tailExit_3 = tailExit_2;
     view_39 = view_38;
     k_35 = k_34;
-    let _e56 = face_21;
-    let _e57 = body_7;
-    let _e58 = e_14;
-    let _e59 = coreExit_3;
-    let _e60 = tailExit_3;
-    let _e61 = k_35;
-    let _e62 = leaveGlass(_e56, _e57, _e58, _e59, _e60, _e61);
-    left_2 = _e62;
-    let _e64 = left_2;
-    let _e66 = origin_21;
-    let _e67 = coreExit_3;
-    let _e69 = view_39;
-    let _e70 = pairRadiance(_e64.pair, _e66, _e67.path, _e69);
-    sum_15 = _e70;
-    let _e72 = sum_15;
-    let _e73 = coreExit_3;
-    let _e76 = body_7;
-    let _e81 = face_21;
-    let _e82 = body_7;
-    let _e83 = e_14;
-    let _e85 = e_14;
-    let _e87 = coreExit_3;
-    let _e88 = left_2;
-    let _e90 = internallyReflected(_e81, _e82, _e83.core, _e85.energy, _e87, _e88.passed);
-    return ((_e72 * exp((-(_e73.path) * _e76.attenuation))) + _e90);
+    let _e57 = face_21;
+    let _e58 = body_7;
+    let _e59 = e_14;
+    let _e60 = coreExit_3;
+    let _e61 = tailExit_3;
+    let _e62 = k_35;
+    let _e63 = leaveGlass(_e57, _e58, _e59, _e60, _e61, _e62);
+    left_2 = _e63;
+    let _e65 = left_2;
+    let _e67 = origin_21;
+    let _e68 = coreExit_3;
+    let _e70 = view_39;
+    let _e71 = pairRadiance(_e65.pair, _e67, _e68.path, _e70);
+    sum_15 = _e71;
+    let _e73 = sum_15;
+    let _e74 = coreExit_3;
+    let _e77 = body_7;
+    let _e82 = face_21;
+    let _e83 = body_7;
+    let _e84 = e_14;
+    let _e86 = e_14;
+    let _e88 = coreExit_3;
+    let _e89 = left_2;
+    let _e91 = internallyReflected(_e82, _e83, _e84.core, _e86.energy, _e88, _e89.passed);
+    return ((_e73 * exp((-(_e74.path) * _e77.attenuation))) + _e91);
 }
 
 fn refractConvex(face_22: GlassFace, body_8: ConvexBody, view_40: SceneView, k_36: Widening) -> vec3<f32> {
@@ -9182,171 +9236,171 @@ fn refractConvex(face_22: GlassFace, body_8: ConvexBody, view_40: SceneView, k_3
     var view_41: SceneView;
     var k_37: Widening;
     var e_15: Entering;
-    var core_8: ConvexExit;
+    var core_9: ConvexExit;
     var origin_22: vec3<f32>;
 
     face_23 = face_22;
     body_9 = body_8;
     view_41 = view_40;
     k_37 = k_36;
-    let _e48 = face_23;
-    let _e49 = body_9;
-    let _e51 = enterGlass(_e48, _e49.ior);
-    e_15 = _e51;
-    let _e53 = face_23;
-    let _e55 = e_15;
-    let _e58 = body_9;
-    let _e59 = convexExit(_e53.n, _e55.core.direction, _e58);
-    core_8 = _e59;
-    let _e61 = face_23;
-    let _e63 = core_8;
-    let _e65 = e_15;
-    origin_22 = (_e61.position + (_e63.path * _e65.core.direction));
-    let _e71 = face_23;
-    let _e72 = body_9;
-    let _e73 = e_15;
-    let _e74 = origin_22;
-    let _e75 = core_8;
-    let _e76 = face_23;
-    let _e78 = e_15;
-    let _e81 = body_9;
-    let _e82 = convexExit(_e76.n, _e78.tail.direction, _e81);
-    let _e83 = view_41;
-    let _e84 = k_37;
-    let _e85 = refractThrough(_e71, _e72, _e73, _e74, _e75, _e82, _e83, _e84);
-    return _e85;
+    let _e49 = face_23;
+    let _e50 = body_9;
+    let _e52 = enterGlass(_e49, _e50.ior);
+    e_15 = _e52;
+    let _e54 = face_23;
+    let _e56 = e_15;
+    let _e59 = body_9;
+    let _e60 = convexExit(_e54.n, _e56.core.direction, _e59);
+    core_9 = _e60;
+    let _e62 = face_23;
+    let _e64 = core_9;
+    let _e66 = e_15;
+    origin_22 = (_e62.position + (_e64.path * _e66.core.direction));
+    let _e72 = face_23;
+    let _e73 = body_9;
+    let _e74 = e_15;
+    let _e75 = origin_22;
+    let _e76 = core_9;
+    let _e77 = face_23;
+    let _e79 = e_15;
+    let _e82 = body_9;
+    let _e83 = convexExit(_e77.n, _e79.tail.direction, _e82);
+    let _e84 = view_41;
+    let _e85 = k_37;
+    let _e86 = refractThrough(_e72, _e73, _e74, _e75, _e76, _e83, _e84, _e85);
+    return _e86;
 }
 
-fn wayOut(origin_23: vec3<f32>, lobe_16: InnerLobe, eta_69: f32, which_9: FaceLayer, reflections: i32, view_42: SceneView) -> WayOut {
+fn wayOut(origin_23: vec3<f32>, lobe_12: InnerLobe, eta_69: f32, which_9: FaceLayer, reflections: i32, view_42: SceneView) -> WayOut {
     var origin_24: vec3<f32>;
-    var lobe_17: InnerLobe;
+    var lobe_13: InnerLobe;
     var eta_70: f32;
     var which_10: FaceLayer;
     var reflections_1: i32;
     var view_43: SceneView;
     var way_10: WayOut;
     var onward: InnerLobe;
-    var first_9: f32 = 0f;
+    var first_8: f32 = 0f;
     var k_38: i32 = 0i;
-    var seen_3: BackFaceExit;
+    var seen_2: BackFaceExit;
     var before: f32;
-    var cosTheta_60: f32;
+    var cosTheta_61: f32;
     var alpha_108: f32;
 
     origin_24 = origin_23;
-    lobe_17 = lobe_16;
+    lobe_13 = lobe_12;
     eta_70 = eta_69;
     which_10 = which_9;
     reflections_1 = reflections;
     view_43 = view_42;
-    let _e54 = lobe_17;
-    way_10.lobe = _e54;
-    let _e56 = origin_24;
-    way_10.point = _e56;
-    let _e58 = lobe_17;
-    let _e60 = eta_70;
-    let _e61 = noBackFace(_e58.direction, _e60);
-    way_10.exit = _e61.exit;
+    let _e55 = lobe_13;
+    way_10.lobe = _e55;
+    let _e57 = origin_24;
+    way_10.point = _e57;
+    let _e59 = lobe_13;
+    let _e61 = eta_70;
+    let _e62 = noBackFace(_e59.direction, _e61);
+    way_10.exit = _e62.exit;
     way_10.found = false;
-    let _e65 = lobe_17;
-    onward = _e65;
+    let _e66 = lobe_13;
+    onward = _e66;
     loop {
-        let _e71 = k_38;
-        let _e72 = reflections_1;
-        if !((_e71 <= _e72)) {
+        let _e72 = k_38;
+        let _e73 = reflections_1;
+        if !((_e72 <= _e73)) {
             break;
         }
         {
-            let _e78 = way_10;
-            let _e80 = onward;
-            let _e82 = first_9;
-            let _e83 = eta_70;
-            let _e84 = which_10;
-            let _e85 = view_43;
-            let _e86 = backFaceExit(_e78.point, _e80.direction, _e82, _e83, _e84, _e85);
-            seen_3 = _e86;
-            let _e88 = seen_3;
-            if !(_e88.found) {
+            let _e79 = way_10;
+            let _e81 = onward;
+            let _e83 = first_8;
+            let _e84 = eta_70;
+            let _e85 = which_10;
+            let _e86 = view_43;
+            let _e87 = backFaceExit(_e79.point, _e81.direction, _e83, _e84, _e85, _e86);
+            seen_2 = _e87;
+            let _e89 = seen_2;
+            if !(_e89.found) {
                 break;
             }
-            let _e91 = way_10;
-            before = _e91.exit.path;
-            let _e96 = onward;
-            way_10.lobe = _e96;
-            let _e98 = seen_3;
-            way_10.exit = _e98.exit;
-            let _e102 = before;
-            let _e103 = seen_3;
-            way_10.exit.path = (_e102 + _e103.exit.path);
-            let _e108 = way_10;
-            let _e110 = seen_3;
-            let _e113 = onward;
-            way_10.point = (_e108.point + (_e110.exit.path * _e113.direction));
+            let _e92 = way_10;
+            before = _e92.exit.path;
+            let _e97 = onward;
+            way_10.lobe = _e97;
+            let _e99 = seen_2;
+            way_10.exit = _e99.exit;
+            let _e103 = before;
+            let _e104 = seen_2;
+            way_10.exit.path = (_e103 + _e104.exit.path);
+            let _e109 = way_10;
+            let _e111 = seen_2;
+            let _e114 = onward;
+            way_10.point = (_e109.point + (_e111.exit.path * _e114.direction));
             way_10.found = true;
-            let _e119 = onward;
-            let _e121 = seen_3;
-            cosTheta_60 = dot(_e119.direction, _e121.exit.surface.n);
-            let _e127 = k_38;
-            let _e128 = reflections_1;
-            let _e131 = cosTheta_60;
-            let _e134 = cosTheta_60;
-            let _e137 = eta_70;
+            let _e120 = onward;
+            let _e122 = seen_2;
+            cosTheta_61 = dot(_e120.direction, _e122.exit.surface.n);
+            let _e128 = k_38;
+            let _e129 = reflections_1;
+            let _e132 = cosTheta_61;
+            let _e135 = cosTheta_61;
             let _e138 = eta_70;
-            if ((_e127 == _e128) || (((1f - _e131) * (1f + _e134)) < (_e137 * _e138))) {
+            let _e139 = eta_70;
+            if ((_e128 == _e129) || (((1f - _e132) * (1f + _e135)) < (_e138 * _e139))) {
                 break;
             }
-            let _e142 = seen_3;
-            alpha_108 = _e142.exit.surface.alpha;
-            let _e148 = onward;
-            let _e151 = cosTheta_60;
-            let _e153 = seen_3;
-            onward.direction = (_e148.direction - ((2f * _e151) * _e153.exit.surface.n));
-            let _e160 = onward;
-            let _e162 = onward;
-            let _e166 = alpha_108;
-            let _e168 = alpha_108;
-            onward.sigma = sqrt(((_e160.sigma * _e162.sigma) + ((4f * _e166) * _e168)));
-            let _e173 = onward;
-            let _e175 = cosTheta_60;
-            let _e176 = alpha_108;
-            let _e177 = eta_70;
-            let _e178 = engineFaceEnergy(_e175, _e176, _e177);
-            onward.weight = (_e173.weight * _e178.reflected);
-            let _e182 = seen_3;
-            first_9 = (0.5f * _e182.exit.path);
+            let _e143 = seen_2;
+            alpha_108 = _e143.exit.surface.alpha;
+            let _e149 = onward;
+            let _e152 = cosTheta_61;
+            let _e154 = seen_2;
+            onward.direction = (_e149.direction - ((2f * _e152) * _e154.exit.surface.n));
+            let _e161 = onward;
+            let _e163 = onward;
+            let _e167 = alpha_108;
+            let _e169 = alpha_108;
+            onward.sigma = sqrt(((_e161.sigma * _e163.sigma) + ((4f * _e167) * _e169)));
+            let _e174 = onward;
+            let _e176 = cosTheta_61;
+            let _e177 = alpha_108;
+            let _e178 = eta_70;
+            let _e179 = engineFaceEnergy(_e176, _e177, _e178);
+            onward.weight = (_e174.weight * _e179.reflected);
+            let _e183 = seen_2;
+            first_8 = (0.5f * _e183.exit.path);
         }
         continuing {
-            let _e75 = k_38;
-            k_38 = (_e75 + 1i);
+            let _e76 = k_38;
+            k_38 = (_e76 + 1i);
         }
     }
-    let _e186 = way_10;
-    return _e186;
+    let _e187 = way_10;
+    return _e187;
 }
 
-fn convexWayOut(face_24: GlassFace, lobe_18: InnerLobe, body_10: ConvexBody) -> WayOut {
+fn convexWayOut(face_24: GlassFace, lobe_14: InnerLobe, body_10: ConvexBody) -> WayOut {
     var face_25: GlassFace;
-    var lobe_19: InnerLobe;
+    var lobe_15: InnerLobe;
     var body_11: ConvexBody;
     var way_11: WayOut;
 
     face_25 = face_24;
-    lobe_19 = lobe_18;
+    lobe_15 = lobe_14;
     body_11 = body_10;
-    let _e48 = lobe_19;
-    way_11.lobe = _e48;
-    let _e50 = face_25;
-    let _e52 = lobe_19;
-    let _e54 = body_11;
-    let _e55 = convexExit(_e50.n, _e52.direction, _e54);
-    way_11.exit = _e55;
-    let _e57 = face_25;
-    let _e59 = way_11;
-    let _e62 = lobe_19;
-    way_11.point = (_e57.position + (_e59.exit.path * _e62.direction));
+    let _e49 = lobe_15;
+    way_11.lobe = _e49;
+    let _e51 = face_25;
+    let _e53 = lobe_15;
+    let _e55 = body_11;
+    let _e56 = convexExit(_e51.n, _e53.direction, _e55);
+    way_11.exit = _e56;
+    let _e58 = face_25;
+    let _e60 = way_11;
+    let _e63 = lobe_15;
+    way_11.point = (_e58.position + (_e60.exit.path * _e63.direction));
     way_11.found = false;
-    let _e68 = way_11;
-    return _e68;
+    let _e69 = way_11;
+    return _e69;
 }
 
 fn leavingFaces(layer_2: i32, number: f32) -> FaceLayer {
@@ -9356,13 +9410,13 @@ fn leavingFaces(layer_2: i32, number: f32) -> FaceLayer {
 
     layer_3 = layer_2;
     number_1 = number;
-    let _e46 = layer_3;
-    which_11.layer = _e46;
+    let _e47 = layer_3;
+    which_11.layer = _e47;
     which_11.side = 1f;
-    let _e50 = number_1;
-    which_11.number = _e50;
-    let _e51 = which_11;
-    return _e51;
+    let _e51 = number_1;
+    which_11.number = _e51;
+    let _e52 = which_11;
+    return _e52;
 }
 
 fn waysOut(face_26: GlassFace, body_12: ConvexBody, entered_2: Entering, last_2: i32, number_2: f32, reflections_2: i32, view_44: SceneView) -> WaysOut {
@@ -9374,11 +9428,11 @@ fn waysOut(face_26: GlassFace, body_12: ConvexBody, entered_2: Entering, last_2:
     var reflections_3: i32;
     var view_45: SceneView;
     var ways: WaysOut;
-    var which_12: i32 = 0i;
-    var lobe_20: InnerLobe;
-    var way_12: WayOut;
-    var layer_4: i32;
-    var seen_4: WayOut;
+    var layer_4: i32 = BACK_FACES;
+    var seen_3: WayOut;
+    var core_10: InnerLobe;
+    var widened: f32;
+    var local_118: f32;
 
     face_27 = face_26;
     body_13 = body_12;
@@ -9387,90 +9441,80 @@ fn waysOut(face_26: GlassFace, body_12: ConvexBody, entered_2: Entering, last_2:
     number_3 = number_2;
     reflections_3 = reflections_2;
     view_45 = view_44;
-    let _e56 = face_27;
-    let _e57 = entered_3;
-    let _e59 = body_13;
-    let _e60 = convexWayOut(_e56, _e57.core, _e59);
-    ways.core = _e60;
-    let _e62 = face_27;
-    let _e63 = entered_3;
-    let _e65 = body_13;
-    let _e66 = convexWayOut(_e62, _e63.tail, _e65);
-    ways.tail = _e66;
+    let _e57 = face_27;
+    let _e58 = entered_3;
+    let _e60 = body_13;
+    let _e61 = convexWayOut(_e57, _e58.core, _e60);
+    ways.core = _e61;
+    let _e63 = face_27;
+    let _e64 = entered_3;
+    let _e66 = body_13;
+    let _e67 = convexWayOut(_e63, _e64.tail, _e66);
+    ways.tail = _e67;
     loop {
-        let _e69 = which_12;
-        if !((_e69 < 2i)) {
+        let _e69 = layer_4;
+        let _e70 = last_3;
+        let _e72 = ways;
+        if !(((_e69 <= _e70) && !(_e72.core.found))) {
             break;
         }
         {
-            let _e76 = entered_3;
-            lobe_20 = _e76.core;
-            let _e79 = which_12;
-            if (_e79 == 1i) {
-                let _e82 = entered_3;
-                lobe_20 = _e82.tail;
-            }
-            let _e84 = which_12;
-            let _e87 = lobe_20;
-            let _e92 = ways;
-            if ((_e84 == 1i) && (!((_e87.weight > 0f)) || !(_e92.core.found))) {
-                break;
-            }
-            let _e98 = ways;
-            way_12 = _e98.core;
-            let _e102 = lobe_20;
-            way_12.lobe = _e102;
-            way_12.found = false;
-            layer_4 = BACK_FACES;
-            loop {
-                let _e106 = layer_4;
-                let _e107 = last_3;
-                let _e109 = way_12;
-                if !(((_e106 <= _e107) && !(_e109.found))) {
-                    break;
-                }
-                {
-                    let _e117 = layer_4;
-                    if (_e117 == SECOND_FRONTS) {
-                        continue;
-                    }
-                    let _e119 = face_27;
-                    let _e121 = lobe_20;
-                    let _e123 = body_13;
-                    let _e126 = layer_4;
-                    let _e127 = number_3;
-                    let _e128 = leavingFaces(_e126, _e127);
-                    let _e129 = reflections_3;
-                    let _e130 = view_45;
-                    let _e131 = wayOut(_e119.position, _e121, (1f / _e123.ior), _e128, _e129, _e130);
-                    seen_4 = _e131;
-                    let _e133 = seen_4;
-                    if _e133.found {
-                        let _e135 = seen_4;
-                        way_12 = _e135;
-                    }
-                }
-                continuing {
-                    let _e114 = layer_4;
-                    layer_4 = (_e114 + 1i);
-                }
-            }
-            let _e136 = which_12;
-            if (_e136 == 0i) {
-                let _e140 = way_12;
-                ways.core = _e140;
-            } else {
-                let _e142 = way_12;
-                ways.tail = _e142;
+            let _e83 = face_27;
+            let _e85 = entered_3;
+            let _e88 = body_13;
+            let _e91 = layer_4;
+            let _e92 = number_3;
+            let _e93 = leavingFaces(_e91, _e92);
+            let _e94 = reflections_3;
+            let _e95 = view_45;
+            let _e96 = wayOut(_e83.position, _e85.core, (1f / _e88.ior), _e93, _e94, _e95);
+            seen_3 = _e96;
+            let _e98 = seen_3;
+            if _e98.found {
+                let _e101 = seen_3;
+                ways.core = _e101;
             }
         }
         continuing {
-            let _e73 = which_12;
-            which_12 = (_e73 + 1i);
+            let _e78 = layer_4;
+            layer_4 = (_e78 + 2i);
         }
     }
-    let _e143 = ways;
-    return _e143;
+    let _e102 = ways;
+    if _e102.core.found {
+        {
+            let _e105 = ways;
+            core_10 = _e105.core.lobe;
+            let _e110 = ways;
+            ways.tail = _e110.core;
+            let _e115 = entered_3;
+            let _e118 = core_10;
+            let _e121 = entered_3;
+            ways.tail.lobe.direction = normalize(((_e115.tail.direction + _e118.direction) - _e121.core.direction));
+            let _e126 = core_10;
+            let _e128 = core_10;
+            let _e131 = entered_3;
+            let _e134 = entered_3;
+            widened = ((_e126.sigma * _e128.sigma) - (_e131.core.sigma * _e134.core.sigma));
+            let _e143 = entered_3;
+            let _e146 = entered_3;
+            let _e150 = widened;
+            ways.tail.lobe.sigma = sqrt(((_e143.tail.sigma * _e146.tail.sigma) + max(_e150, 0f)));
+            let _e158 = entered_3;
+            if (_e158.core.weight > 0f) {
+                let _e163 = entered_3;
+                let _e166 = core_10;
+                let _e169 = entered_3;
+                local_118 = ((_e163.tail.weight * _e166.weight) / _e169.core.weight);
+            } else {
+                local_118 = 0f;
+            }
+            let _e175 = local_118;
+            ways.tail.lobe.weight = _e175;
+        }
+    }
+    let _e176 = ways;
+    return _e176;
 }
 
 fn refractFrontBack(face_28: GlassFace, body_14: ConvexBody, number_4: f32, view_46: SceneView, k_39: Widening) -> vec3<f32> {
@@ -9487,56 +9531,56 @@ fn refractFrontBack(face_28: GlassFace, body_14: ConvexBody, number_4: f32, view
     number_5 = number_4;
     view_47 = view_46;
     k_40 = k_39;
-    let _e50 = face_29;
-    let _e51 = body_15;
-    let _e53 = enterGlass(_e50, _e51.ior);
-    entered_4 = _e53;
-    let _e55 = face_29;
-    let _e56 = body_15;
-    let _e57 = entered_4;
-    let _e58 = number_5;
-    let _e60 = view_47;
-    let _e61 = waysOut(_e55, _e56, _e57, BACK_FACES, _e58, 1i, _e60);
-    ways_1 = _e61;
-    let _e64 = ways_1;
-    entered_4.core = _e64.core.lobe;
-    let _e68 = ways_1;
-    entered_4.tail = _e68.tail.lobe;
-    let _e71 = face_29;
-    let _e72 = body_15;
-    let _e73 = entered_4;
-    let _e74 = ways_1;
-    let _e77 = ways_1;
-    let _e80 = ways_1;
-    let _e83 = view_47;
-    let _e84 = k_40;
-    let _e85 = refractThrough(_e71, _e72, _e73, _e74.core.point, _e77.core.exit, _e80.tail.exit, _e83, _e84);
-    return _e85;
+    let _e51 = face_29;
+    let _e52 = body_15;
+    let _e54 = enterGlass(_e51, _e52.ior);
+    entered_4 = _e54;
+    let _e56 = face_29;
+    let _e57 = body_15;
+    let _e58 = entered_4;
+    let _e59 = number_5;
+    let _e61 = view_47;
+    let _e62 = waysOut(_e56, _e57, _e58, BACK_FACES, _e59, 1i, _e61);
+    ways_1 = _e62;
+    let _e65 = ways_1;
+    entered_4.core = _e65.core.lobe;
+    let _e69 = ways_1;
+    entered_4.tail = _e69.tail.lobe;
+    let _e72 = face_29;
+    let _e73 = body_15;
+    let _e74 = entered_4;
+    let _e75 = ways_1;
+    let _e78 = ways_1;
+    let _e81 = ways_1;
+    let _e84 = view_47;
+    let _e85 = k_40;
+    let _e86 = refractThrough(_e72, _e73, _e74, _e75.core.point, _e78.core.exit, _e81.tail.exit, _e84, _e85);
+    return _e86;
 }
 
 fn lobeSide(direction_27: vec3<f32>) -> vec3<f32> {
     var direction_28: vec3<f32>;
     var level_3: vec3<f32>;
     var s_21: f32;
-    var local_118: vec3<f32>;
+    var local_119: vec3<f32>;
 
     direction_28 = direction_27;
-    let _e42 = direction_28;
-    let _e45 = direction_28;
-    level_3 = vec3<f32>(_e42.z, 0f, -(_e45.x));
-    let _e50 = level_3;
+    let _e43 = direction_28;
+    let _e46 = direction_28;
+    level_3 = vec3<f32>(_e43.z, 0f, -(_e46.x));
     let _e51 = level_3;
-    s_21 = dot(_e50, _e51);
-    let _e54 = s_21;
-    if (_e54 > 0f) {
-        let _e57 = level_3;
-        let _e58 = s_21;
-        local_118 = (_e57 * inverseSqrt(_e58));
+    let _e52 = level_3;
+    s_21 = dot(_e51, _e52);
+    let _e55 = s_21;
+    if (_e55 > 0f) {
+        let _e58 = level_3;
+        let _e59 = s_21;
+        local_119 = (_e58 * inverseSqrt(_e59));
     } else {
-        local_118 = vec3<f32>(1f, 0f, 0f);
+        local_119 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e66 = local_118;
-    return _e66;
+    let _e67 = local_119;
+    return _e67;
 }
 
 fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2: f32, part_2: vec3<f32>) -> LobeStratum {
@@ -9549,150 +9593,150 @@ fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
     var off_3: vec3<f32>;
     var turn_2: f32;
     var p_17: LobeStratum;
-    var local_119: f32;
     var local_120: f32;
+    var local_121: f32;
     var together: f32;
     var rest_5: f32;
-    var local_121: f32;
+    var local_122: f32;
 
     direction_30 = direction_29;
     sigma_15 = sigma_14;
     inner_12 = inner_11;
     carried_3 = carried_2;
     part_3 = part_2;
-    let _e50 = direction_30;
-    let _e51 = lobeSide(_e50);
-    side_4 = _e51;
-    let _e53 = part_3;
-    let _e55 = side_4;
-    let _e57 = part_3;
-    let _e59 = direction_30;
-    let _e60 = side_4;
-    off_3 = ((_e53.x * _e55) + (_e57.y * cross(_e59, _e60)));
-    let _e65 = sigma_15;
-    let _e66 = off_3;
-    turn_2 = (_e65 * length(_e66));
-    let _e72 = turn_2;
-    let _e74 = direction_30;
-    let _e76 = turn_2;
-    if (_e76 > 0f) {
-        let _e79 = turn_2;
-        let _e81 = turn_2;
-        local_119 = (sin(_e79) / _e81);
+    let _e51 = direction_30;
+    let _e52 = lobeSide(_e51);
+    side_4 = _e52;
+    let _e54 = part_3;
+    let _e56 = side_4;
+    let _e58 = part_3;
+    let _e60 = direction_30;
+    let _e61 = side_4;
+    off_3 = ((_e54.x * _e56) + (_e58.y * cross(_e60, _e61)));
+    let _e66 = sigma_15;
+    let _e67 = off_3;
+    turn_2 = (_e66 * length(_e67));
+    let _e73 = turn_2;
+    let _e75 = direction_30;
+    let _e77 = turn_2;
+    if (_e77 > 0f) {
+        let _e80 = turn_2;
+        let _e82 = turn_2;
+        local_120 = (sin(_e80) / _e82);
     } else {
-        local_119 = 1f;
+        local_120 = 1f;
     }
-    let _e85 = local_119;
-    let _e86 = sigma_15;
-    let _e88 = off_3;
-    p_17.direction = ((cos(_e72) * _e74) + ((_e85 * _e86) * _e88));
-    let _e92 = part_3;
-    let _e94 = sigma_15;
-    p_17.sigma = (_e92.z * _e94);
-    let _e96 = sigma_15;
-    if (_e96 > 0f) {
-        let _e99 = carried_3;
-        let _e100 = sigma_15;
-        local_120 = clamp((_e99 / _e100), -1f, 1f);
-    } else {
-        local_120 = 0f;
-    }
-    let _e108 = local_120;
-    together = _e108;
-    let _e111 = together;
-    let _e112 = inner_12;
-    let _e114 = off_3;
-    p_17.aside = ((_e111 * _e112) * _e114);
-    let _e117 = together;
-    let _e118 = together;
-    let _e121 = part_3;
-    let _e123 = part_3;
-    rest_5 = sqrt(max((1f - ((_e117 * _e118) * (1f - (_e121.z * _e123.z)))), 0f));
-    let _e134 = rest_5;
-    let _e135 = inner_12;
-    p_17.inner = (_e134 * _e135);
-    let _e138 = rest_5;
-    if (_e138 > 0f) {
-        let _e141 = together;
-        let _e142 = sigma_15;
-        let _e144 = part_3;
-        let _e147 = part_3;
-        let _e150 = rest_5;
-        local_121 = ((((_e141 * _e142) * _e144.z) * _e147.z) / _e150);
+    let _e86 = local_120;
+    let _e87 = sigma_15;
+    let _e89 = off_3;
+    p_17.direction = ((cos(_e73) * _e75) + ((_e86 * _e87) * _e89));
+    let _e93 = part_3;
+    let _e95 = sigma_15;
+    p_17.sigma = (_e93.z * _e95);
+    let _e97 = sigma_15;
+    if (_e97 > 0f) {
+        let _e100 = carried_3;
+        let _e101 = sigma_15;
+        local_121 = clamp((_e100 / _e101), -1f, 1f);
     } else {
         local_121 = 0f;
     }
-    let _e154 = local_121;
-    p_17.carried = _e154;
-    let _e155 = p_17;
-    return _e155;
+    let _e109 = local_121;
+    together = _e109;
+    let _e112 = together;
+    let _e113 = inner_12;
+    let _e115 = off_3;
+    p_17.aside = ((_e112 * _e113) * _e115);
+    let _e118 = together;
+    let _e119 = together;
+    let _e122 = part_3;
+    let _e124 = part_3;
+    rest_5 = sqrt(max((1f - ((_e118 * _e119) * (1f - (_e122.z * _e124.z)))), 0f));
+    let _e135 = rest_5;
+    let _e136 = inner_12;
+    p_17.inner = (_e135 * _e136);
+    let _e139 = rest_5;
+    if (_e139 > 0f) {
+        let _e142 = together;
+        let _e143 = sigma_15;
+        let _e145 = part_3;
+        let _e148 = part_3;
+        let _e151 = rest_5;
+        local_122 = ((((_e142 * _e143) * _e145.z) * _e148.z) / _e151);
+    } else {
+        local_122 = 0f;
+    }
+    let _e155 = local_122;
+    p_17.carried = _e155;
+    let _e156 = p_17;
+    return _e156;
 }
 
-fn thinWallCoordinate(lobe_21: i32, lobes_8: i32, cosTheta_61: f32, alpha_109: f32, eta_71: f32) -> vec3<f32> {
-    var lobe_22: i32;
-    var lobes_9: i32;
-    var cosTheta_62: f32;
+fn thinWallCoordinate(lobe_16: i32, lobes_11: i32, cosTheta_62: f32, alpha_109: f32, eta_71: f32) -> vec3<f32> {
+    var lobe_17: i32;
+    var lobes_12: i32;
+    var cosTheta_63: f32;
     var alpha_110: f32;
     var eta_72: f32;
 
-    lobe_22 = lobe_21;
-    lobes_9 = lobes_8;
-    cosTheta_62 = cosTheta_61;
+    lobe_17 = lobe_16;
+    lobes_12 = lobes_11;
+    cosTheta_63 = cosTheta_62;
     alpha_110 = alpha_109;
     eta_72 = eta_71;
-    let _e53 = cosTheta_62;
-    let _e57 = tableCoordinate(sqrt(max(_e53, 0f)), THIN_WALL_COSINES);
-    let _e58 = alpha_110;
-    let _e62 = lobe_22;
-    let _e63 = lobes_9;
-    let _e64 = blockCoordinate(sqrt(max(_e58, 0f)), THIN_WALL_ALPHAS, _e62, _e63);
-    let _e65 = eta_72;
-    let _e66 = interfaceEtaAxis(_e65);
-    let _e67 = tableCoordinate(_e66, THIN_WALL_SLICES);
-    return vec3<f32>(_e57, _e64, _e67);
+    let _e54 = cosTheta_63;
+    let _e58 = tableCoordinate(sqrt(max(_e54, 0f)), THIN_WALL_COSINES);
+    let _e59 = alpha_110;
+    let _e63 = lobe_17;
+    let _e64 = lobes_12;
+    let _e65 = blockCoordinate(sqrt(max(_e59, 0f)), THIN_WALL_ALPHAS, _e63, _e64);
+    let _e66 = eta_72;
+    let _e67 = interfaceEtaAxis(_e66);
+    let _e68 = tableCoordinate(_e67, THIN_WALL_SLICES);
+    return vec3<f32>(_e58, _e65, _e68);
 }
 
-fn thinWallWidth(cosTheta_63: f32, alpha_111: f32, eta_73: f32) -> f32 {
-    var cosTheta_64: f32;
+fn thinWallWidth(cosTheta_64: f32, alpha_111: f32, eta_73: f32) -> f32 {
+    var cosTheta_65: f32;
     var alpha_112: f32;
     var eta_74: f32;
     var c_33: f32;
-    var local_122: f32;
+    var local_123: f32;
     var n_52: f32;
-    var across_15: f32;
+    var across_14: f32;
     var width_7: f32;
 
-    cosTheta_64 = cosTheta_63;
+    cosTheta_65 = cosTheta_64;
     alpha_112 = alpha_111;
     eta_74 = eta_73;
-    let _e49 = cosTheta_64;
-    c_33 = clamp(_e49, 0f, 1f);
-    let _e54 = eta_74;
-    if (_e54 < 1f) {
-        let _e58 = eta_74;
-        local_122 = (1f / max(_e58, 0.01f));
+    let _e50 = cosTheta_65;
+    c_33 = clamp(_e50, 0f, 1f);
+    let _e55 = eta_74;
+    if (_e55 < 1f) {
+        let _e59 = eta_74;
+        local_123 = (1f / max(_e59, 0.01f));
     } else {
-        let _e62 = eta_74;
-        local_122 = _e62;
+        let _e63 = eta_74;
+        local_123 = _e63;
     }
-    let _e64 = local_122;
-    n_52 = _e64;
-    let _e66 = n_52;
-    let _e69 = n_52;
-    let _e73 = c_33;
-    let _e74 = n_52;
-    let _e75 = fresnelG(_e73, _e74);
-    let _e76 = c_33;
-    across_15 = (((_e66 - 1f) * (_e69 + 1f)) / max((_e75 + _e76), 0.000000000000000000000000000001f));
-    let _e83 = alpha_112;
-    let _e85 = across_15;
-    let _e87 = c_33;
+    let _e65 = local_123;
+    n_52 = _e65;
+    let _e67 = n_52;
+    let _e70 = n_52;
+    let _e74 = c_33;
+    let _e75 = n_52;
+    let _e76 = fresnelG(_e74, _e75);
+    let _e77 = c_33;
+    across_14 = (((_e67 - 1f) * (_e70 + 1f)) / max((_e76 + _e77), 0.000000000000000000000000000001f));
+    let _e84 = alpha_112;
+    let _e86 = across_14;
     let _e88 = c_33;
-    let _e90 = alpha_112;
-    width_7 = (((1.4142135f * _e83) * _e85) * inverseSqrt(sqrt(((_e87 * _e88) + max(_e90, 0.000000000001f)))));
-    let _e98 = width_7;
-    let _e101 = width_7;
-    return (_e98 / (1f + (2f * _e101)));
+    let _e89 = c_33;
+    let _e91 = alpha_112;
+    width_7 = (((1.4142135f * _e84) * _e86) * inverseSqrt(sqrt(((_e88 * _e89) + max(_e91, 0.000000000001f)))));
+    let _e99 = width_7;
+    let _e102 = width_7;
+    return (_e99 / (1f + (2f * _e102)));
 }
 
 fn thinWallEnergy(texel_10: vec4<f32>) -> ThinWallEnergy {
@@ -9700,87 +9744,87 @@ fn thinWallEnergy(texel_10: vec4<f32>) -> ThinWallEnergy {
     var e_16: ThinWallEnergy;
 
     texel_11 = texel_10;
-    let _e47 = texel_11;
-    e_16.transmitted = _e47.x;
-    let _e50 = texel_11;
-    e_16.reflectedFirst = _e50.y;
-    let _e53 = texel_11;
-    e_16.reflectedLater = _e53.z;
-    let _e55 = e_16;
-    return _e55;
+    let _e48 = texel_11;
+    e_16.transmitted = _e48.x;
+    let _e51 = texel_11;
+    e_16.reflectedFirst = _e51.y;
+    let _e54 = texel_11;
+    e_16.reflectedLater = _e54.z;
+    let _e56 = e_16;
+    return _e56;
 }
 
 fn thinWallLaterSpread(eta_75: f32) -> f32 {
     var eta_76: f32;
-    var local_123: f32;
+    var local_124: f32;
     var n_53: f32;
 
     eta_76 = eta_75;
-    let _e45 = eta_76;
-    if (_e45 < 1f) {
-        let _e49 = eta_76;
-        local_123 = (1f / max(_e49, 0.01f));
+    let _e46 = eta_76;
+    if (_e46 < 1f) {
+        let _e50 = eta_76;
+        local_124 = (1f / max(_e50, 0.01f));
     } else {
-        let _e53 = eta_76;
-        local_123 = _e53;
+        let _e54 = eta_76;
+        local_124 = _e54;
     }
-    let _e55 = local_123;
-    n_53 = _e55;
-    let _e57 = n_53;
+    let _e56 = local_124;
+    n_53 = _e56;
     let _e58 = n_53;
-    let _e61 = n_53;
-    let _e65 = n_53;
-    return sqrt(((_e57 * _e58) + ((0.5f * (_e61 - 1f)) * (_e65 - 1f))));
+    let _e59 = n_53;
+    let _e62 = n_53;
+    let _e66 = n_53;
+    return sqrt(((_e58 * _e59) + ((0.5f * (_e62 - 1f)) * (_e66 - 1f))));
 }
 
-fn thinWallLobe(texel_12: vec4<f32>, cosTheta_65: f32, alpha_113: f32, eta_77: f32) -> InterfaceLobe {
+fn thinWallLobe(texel_12: vec4<f32>, cosTheta_66: f32, alpha_113: f32, eta_77: f32) -> InterfaceLobe {
     var texel_13: vec4<f32>;
-    var cosTheta_66: f32;
+    var cosTheta_67: f32;
     var alpha_114: f32;
     var eta_78: f32;
     var c_34: f32;
     var width_8: f32;
-    var lobe_23: InterfaceLobe;
+    var lobe_18: InterfaceLobe;
 
     texel_13 = texel_12;
-    cosTheta_66 = cosTheta_65;
+    cosTheta_67 = cosTheta_66;
     alpha_114 = alpha_113;
     eta_78 = eta_77;
-    let _e51 = cosTheta_66;
-    c_34 = clamp(_e51, 0f, 1f);
-    let _e56 = c_34;
-    let _e57 = alpha_114;
-    let _e61 = eta_78;
-    let _e62 = thinWallWidth(_e56, clamp(_e57, 0f, 1f), _e61);
-    width_8 = _e62;
-    let _e67 = c_34;
-    let _e70 = c_34;
-    let _e74 = c_34;
-    let _e76 = texel_13;
-    let _e78 = width_8;
-    lobe_23.angle = (atan2(sqrt(((1f - _e67) * (1f + _e70))), _e74) + (_e76.x * _e78));
-    let _e82 = texel_13;
-    let _e84 = width_8;
-    lobe_23.sigma = (_e82.y * _e84);
-    let _e87 = texel_13;
-    lobe_23.weight = _e87.z;
-    let _e89 = lobe_23;
-    return _e89;
+    let _e52 = cosTheta_67;
+    c_34 = clamp(_e52, 0f, 1f);
+    let _e57 = c_34;
+    let _e58 = alpha_114;
+    let _e62 = eta_78;
+    let _e63 = thinWallWidth(_e57, clamp(_e58, 0f, 1f), _e62);
+    width_8 = _e63;
+    let _e68 = c_34;
+    let _e71 = c_34;
+    let _e75 = c_34;
+    let _e77 = texel_13;
+    let _e79 = width_8;
+    lobe_18.angle = (atan2(sqrt(((1f - _e68) * (1f + _e71))), _e75) + (_e77.x * _e79));
+    let _e83 = texel_13;
+    let _e85 = width_8;
+    lobe_18.sigma = (_e83.y * _e85);
+    let _e88 = texel_13;
+    lobe_18.weight = _e88.z;
+    let _e90 = lobe_18;
+    return _e90;
 }
 
-fn lobeOnward(lobe_24: ComposedLobe) -> InnerLobe {
-    var lobe_25: ComposedLobe;
+fn lobeOnward(lobe_19: ComposedLobe) -> InnerLobe {
+    var lobe_20: ComposedLobe;
     var onward_1: InnerLobe;
 
-    lobe_25 = lobe_24;
-    let _e48 = lobe_25;
-    onward_1.direction = _e48.direction;
-    let _e51 = lobe_25;
-    onward_1.sigma = _e51.sigma;
-    let _e54 = lobe_25;
-    onward_1.weight = _e54.weight;
-    let _e56 = onward_1;
-    return _e56;
+    lobe_20 = lobe_19;
+    let _e49 = lobe_20;
+    onward_1.direction = _e49.direction;
+    let _e52 = lobe_20;
+    onward_1.sigma = _e52.sigma;
+    let _e55 = lobe_20;
+    onward_1.weight = _e55.weight;
+    let _e57 = onward_1;
+    return _e57;
 }
 
 fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, body_16: ConvexBody, view_48: SceneView, k_41: Widening) -> SecondBody {
@@ -9790,21 +9834,21 @@ fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, 
     var body_17: ConvexBody;
     var view_49: SceneView;
     var k_42: Widening;
-    var second_2: SecondBody;
+    var second_1: SecondBody;
     var fronts: FaceLayer;
     var front_1: BackFaceExit;
     var outer: InnerLobe;
     var entered_5: ComposedPair;
     var inner_13: InnerLobe;
     var point_4: vec3<f32>;
-    var way_13: WayOut;
+    var way_12: WayOut;
     var beyond_1: ComposedPair;
-    var local_124: f32;
+    var local_125: f32;
     var passed_2: f32;
     var aside: ComposedLobe;
-    var cosTheta_67: f32;
+    var cosTheta_68: f32;
     var alpha_115: f32;
-    var weight_3: f32;
+    var weight_4: f32;
     var mirrored: vec3<f32>;
 
     pair_6 = pair_5;
@@ -9813,129 +9857,129 @@ fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, 
     body_17 = body_16;
     view_49 = view_48;
     k_42 = k_41;
-    let _e58 = pair_6;
-    second_2.pair = _e58;
-    let _e60 = origin_26;
-    second_2.origin = _e60;
-    let _e62 = inside_10;
-    second_2.inside = _e62;
-    second_2.passed = vec3(1f);
-    second_2.reflected = vec3(0f);
-    let _e71 = leavingFaces(SECOND_FRONTS, -1f);
-    fronts = _e71;
+    let _e59 = pair_6;
+    second_1.pair = _e59;
+    let _e61 = origin_26;
+    second_1.origin = _e61;
+    let _e63 = inside_10;
+    second_1.inside = _e63;
+    second_1.passed = vec3(1f);
+    second_1.reflected = vec3(0f);
+    let _e72 = leavingFaces(SECOND_FRONTS, -1f);
+    fronts = _e72;
     fronts.side = -1f;
-    let _e76 = origin_26;
-    let _e77 = pair_6;
-    let _e81 = body_17;
-    let _e83 = fronts;
-    let _e84 = view_49;
-    let _e85 = backFaceExit(_e76, _e77.core.direction, 0f, _e81.ior, _e83, _e84);
-    front_1 = _e85;
-    let _e87 = front_1;
-    if !(_e87.found) {
-        let _e90 = second_2;
-        return _e90;
+    let _e77 = origin_26;
+    let _e78 = pair_6;
+    let _e82 = body_17;
+    let _e84 = fronts;
+    let _e85 = view_49;
+    let _e86 = backFaceExit(_e77, _e78.core.direction, 0f, _e82.ior, _e84, _e85);
+    front_1 = _e86;
+    let _e88 = front_1;
+    if !(_e88.found) {
+        let _e91 = second_1;
+        return _e91;
     }
-    let _e91 = pair_6;
-    let _e93 = lobeOnward(_e91.core);
-    outer = _e93;
-    let _e95 = outer;
-    let _e97 = front_1;
-    let _e100 = k_42;
-    let _e101 = engineLeavingPair(_e95, true, _e97.exit.surface, _e100);
-    entered_5 = _e101;
-    let _e103 = entered_5;
-    let _e105 = entered_5;
-    let _e107 = mergeLobes(_e103.core, _e105.rest);
-    let _e108 = lobeOnward(_e107);
-    inner_13 = _e108;
-    let _e110 = origin_26;
-    let _e111 = front_1;
-    let _e114 = outer;
-    point_4 = (_e110 + (_e111.exit.path * _e114.direction));
-    let _e119 = point_4;
-    let _e120 = inner_13;
-    let _e122 = body_17;
-    let _e125 = front_1;
-    let _e127 = leavingFaces(SECOND_BACKS, _e125.number);
-    let _e128 = view_49;
-    let _e129 = wayOut(_e119, _e120, (1f / _e122.ior), _e127, REFLECTIONS_INSIDE, _e128);
-    way_13 = _e129;
-    let _e131 = way_13;
-    if !(_e131.found) {
-        let _e134 = second_2;
-        return _e134;
+    let _e92 = pair_6;
+    let _e94 = lobeOnward(_e92.core);
+    outer = _e94;
+    let _e96 = outer;
+    let _e98 = front_1;
+    let _e101 = k_42;
+    let _e102 = engineLeavingPair(_e96, true, _e98.exit.surface, _e101);
+    entered_5 = _e102;
+    let _e104 = entered_5;
+    let _e106 = entered_5;
+    let _e108 = mergeLobes(_e104.core, _e106.rest);
+    let _e109 = lobeOnward(_e108);
+    inner_13 = _e109;
+    let _e111 = origin_26;
+    let _e112 = front_1;
+    let _e115 = outer;
+    point_4 = (_e111 + (_e112.exit.path * _e115.direction));
+    let _e120 = point_4;
+    let _e121 = inner_13;
+    let _e123 = body_17;
+    let _e126 = front_1;
+    let _e128 = leavingFaces(SECOND_BACKS, _e126.number);
+    let _e129 = view_49;
+    let _e130 = wayOut(_e120, _e121, (1f / _e123.ior), _e128, REFLECTIONS_INSIDE, _e129);
+    way_12 = _e130;
+    let _e132 = way_12;
+    if !(_e132.found) {
+        let _e135 = second_1;
+        return _e135;
     }
-    let _e135 = way_13;
-    let _e138 = way_13;
-    let _e141 = k_42;
-    let _e142 = engineLeavingPair(_e135.lobe, true, _e138.exit.surface, _e141);
-    beyond_1 = _e142;
-    let _e145 = front_1;
-    let _e148 = way_13;
-    let _e151 = body_17;
-    second_2.inside = (_e145.exit.path + (_e148.exit.path / _e151.ior));
-    let _e157 = outer;
-    beyond_1.core.inner = _e157.sigma;
-    let _e161 = outer;
-    beyond_1.rest.inner = _e161.sigma;
-    let _e163 = outer;
-    if (_e163.weight > 0f) {
-        let _e167 = beyond_1;
-        let _e170 = beyond_1;
-        let _e174 = outer;
-        local_124 = ((_e167.core.weight + _e170.rest.weight) / _e174.weight);
+    let _e136 = way_12;
+    let _e139 = way_12;
+    let _e142 = k_42;
+    let _e143 = engineLeavingPair(_e136.lobe, true, _e139.exit.surface, _e142);
+    beyond_1 = _e143;
+    let _e146 = front_1;
+    let _e149 = way_12;
+    let _e152 = body_17;
+    second_1.inside = (_e146.exit.path + (_e149.exit.path / _e152.ior));
+    let _e158 = outer;
+    beyond_1.core.inner = _e158.sigma;
+    let _e162 = outer;
+    beyond_1.rest.inner = _e162.sigma;
+    let _e164 = outer;
+    if (_e164.weight > 0f) {
+        let _e168 = beyond_1;
+        let _e171 = beyond_1;
+        let _e175 = outer;
+        local_125 = ((_e168.core.weight + _e171.rest.weight) / _e175.weight);
     } else {
-        local_124 = 0f;
+        local_125 = 0f;
     }
-    let _e179 = local_124;
-    passed_2 = _e179;
-    let _e181 = pair_6;
-    aside = _e181.rest;
-    let _e185 = pair_6;
-    let _e188 = beyond_1;
-    let _e192 = pair_6;
-    aside.direction = normalize(((_e185.rest.direction + _e188.core.direction) - _e192.core.direction));
-    let _e198 = aside;
-    let _e200 = passed_2;
-    aside.weight = (_e198.weight * _e200);
-    let _e203 = beyond_1;
-    let _e205 = aside;
-    let _e206 = mergeLobes(_e203.rest, _e205);
-    beyond_1.rest = _e206;
-    let _e208 = beyond_1;
-    second_2.pair = _e208;
-    let _e210 = way_13;
-    second_2.origin = _e210.point;
-    let _e213 = way_13;
-    let _e217 = body_17;
-    second_2.passed = exp((-(_e213.exit.path) * _e217.attenuation));
-    let _e221 = outer;
-    let _e223 = front_1;
-    cosTheta_67 = dot(_e221.direction, _e223.exit.surface.n);
-    let _e229 = front_1;
-    alpha_115 = _e229.exit.surface.alpha;
-    let _e234 = pair_6;
-    let _e237 = pair_6;
-    let _e241 = cosTheta_67;
-    let _e242 = alpha_115;
-    let _e243 = body_17;
-    let _e245 = engineFaceEnergy(_e241, _e242, _e243.ior);
-    weight_3 = ((_e234.core.weight + _e237.rest.weight) * _e245.reflected);
-    let _e249 = outer;
-    let _e252 = cosTheta_67;
-    let _e254 = front_1;
-    mirrored = (_e249.direction - ((2f * _e252) * _e254.exit.surface.n));
-    let _e262 = weight_3;
-    let _e263 = mirrored;
-    let _e264 = outer;
-    let _e266 = outer;
-    let _e270 = alpha_115;
-    let _e272 = alpha_115;
-    let _e278 = engineEnvironment(_e263, min(sqrt(((_e264.sigma * _e266.sigma) + ((4f * _e270) * _e272))), 0.606f));
-    second_2.reflected = (_e262 * _e278);
-    let _e280 = second_2;
-    return _e280;
+    let _e180 = local_125;
+    passed_2 = _e180;
+    let _e182 = pair_6;
+    aside = _e182.rest;
+    let _e186 = pair_6;
+    let _e189 = beyond_1;
+    let _e193 = pair_6;
+    aside.direction = normalize(((_e186.rest.direction + _e189.core.direction) - _e193.core.direction));
+    let _e199 = aside;
+    let _e201 = passed_2;
+    aside.weight = (_e199.weight * _e201);
+    let _e204 = beyond_1;
+    let _e206 = aside;
+    let _e207 = mergeLobes(_e204.rest, _e206);
+    beyond_1.rest = _e207;
+    let _e209 = beyond_1;
+    second_1.pair = _e209;
+    let _e211 = way_12;
+    second_1.origin = _e211.point;
+    let _e214 = way_12;
+    let _e218 = body_17;
+    second_1.passed = exp((-(_e214.exit.path) * _e218.attenuation));
+    let _e222 = outer;
+    let _e224 = front_1;
+    cosTheta_68 = dot(_e222.direction, _e224.exit.surface.n);
+    let _e230 = front_1;
+    alpha_115 = _e230.exit.surface.alpha;
+    let _e235 = pair_6;
+    let _e238 = pair_6;
+    let _e242 = cosTheta_68;
+    let _e243 = alpha_115;
+    let _e244 = body_17;
+    let _e246 = engineFaceEnergy(_e242, _e243, _e244.ior);
+    weight_4 = ((_e235.core.weight + _e238.rest.weight) * _e246.reflected);
+    let _e250 = outer;
+    let _e253 = cosTheta_68;
+    let _e255 = front_1;
+    mirrored = (_e250.direction - ((2f * _e253) * _e255.exit.surface.n));
+    let _e263 = weight_4;
+    let _e264 = mirrored;
+    let _e265 = outer;
+    let _e267 = outer;
+    let _e271 = alpha_115;
+    let _e273 = alpha_115;
+    let _e279 = engineEnvironment(_e264, min(sqrt(((_e265.sigma * _e267.sigma) + ((4f * _e271) * _e273))), 0.606f));
+    second_1.reflected = (_e263 * _e279);
+    let _e281 = second_1;
+    return _e281;
 }
 
 fn refractTwoPairs(face_30: GlassFace, body_18: ConvexBody, number_6: f32, view_50: SceneView, k_43: Widening) -> vec3<f32> {
@@ -9946,9 +9990,9 @@ fn refractTwoPairs(face_30: GlassFace, body_18: ConvexBody, number_6: f32, view_
     var k_44: Widening;
     var entered_6: Entering;
     var ways_2: WaysOut;
-    var exit: ConvexExit;
+    var exit_1: ConvexExit;
     var left_3: Leaving;
-    var second_3: SecondBody;
+    var second_2: SecondBody;
     var sum_16: vec3<f32>;
 
     face_31 = face_30;
@@ -9956,56 +10000,56 @@ fn refractTwoPairs(face_30: GlassFace, body_18: ConvexBody, number_6: f32, view_
     number_7 = number_6;
     view_51 = view_50;
     k_44 = k_43;
-    let _e54 = face_31;
-    let _e55 = body_19;
-    let _e57 = enterGlass(_e54, _e55.ior);
-    entered_6 = _e57;
-    let _e59 = face_31;
-    let _e60 = body_19;
-    let _e61 = entered_6;
-    let _e62 = number_7;
-    let _e63 = view_51;
-    let _e64 = waysOut(_e59, _e60, _e61, SECOND_BACKS, _e62, REFLECTIONS_INSIDE, _e63);
-    ways_2 = _e64;
-    let _e67 = ways_2;
-    entered_6.core = _e67.core.lobe;
-    let _e71 = ways_2;
-    entered_6.tail = _e71.tail.lobe;
-    let _e74 = ways_2;
-    exit = _e74.core.exit;
-    let _e78 = face_31;
-    let _e79 = body_19;
-    let _e80 = entered_6;
-    let _e81 = exit;
-    let _e82 = ways_2;
-    let _e85 = k_44;
-    let _e86 = leaveGlass(_e78, _e79, _e80, _e81, _e82.tail.exit, _e85);
-    left_3 = _e86;
-    let _e88 = left_3;
-    let _e90 = ways_2;
-    let _e93 = exit;
-    let _e95 = body_19;
-    let _e96 = view_51;
-    let _e97 = k_44;
-    let _e98 = throughSecondBody(_e88.pair, _e90.core.point, _e93.path, _e95, _e96, _e97);
-    second_3 = _e98;
-    let _e100 = second_3;
-    let _e102 = second_3;
-    let _e104 = second_3;
-    let _e106 = second_3;
-    let _e108 = view_51;
-    let _e109 = pairRadiance(_e102.pair, _e104.origin, _e106.inside, _e108);
-    let _e111 = second_3;
-    sum_16 = ((_e100.passed * _e109) + _e111.reflected);
-    let _e115 = sum_16;
-    let _e116 = exit;
-    let _e119 = body_19;
-    let _e124 = face_31;
-    let _e125 = body_19;
-    let _e126 = entered_6;
-    let _e128 = entered_6;
-    let _e130 = exit;
-    let _e131 = left_3;
-    let _e133 = internallyReflected(_e124, _e125, _e126.core, _e128.energy, _e130, _e131.passed);
-    return ((_e115 * exp((-(_e116.path) * _e119.attenuation))) + _e133);
+    let _e55 = face_31;
+    let _e56 = body_19;
+    let _e58 = enterGlass(_e55, _e56.ior);
+    entered_6 = _e58;
+    let _e60 = face_31;
+    let _e61 = body_19;
+    let _e62 = entered_6;
+    let _e63 = number_7;
+    let _e64 = view_51;
+    let _e65 = waysOut(_e60, _e61, _e62, SECOND_BACKS, _e63, REFLECTIONS_INSIDE, _e64);
+    ways_2 = _e65;
+    let _e68 = ways_2;
+    entered_6.core = _e68.core.lobe;
+    let _e72 = ways_2;
+    entered_6.tail = _e72.tail.lobe;
+    let _e75 = ways_2;
+    exit_1 = _e75.core.exit;
+    let _e79 = face_31;
+    let _e80 = body_19;
+    let _e81 = entered_6;
+    let _e82 = exit_1;
+    let _e83 = ways_2;
+    let _e86 = k_44;
+    let _e87 = leaveGlass(_e79, _e80, _e81, _e82, _e83.tail.exit, _e86);
+    left_3 = _e87;
+    let _e89 = left_3;
+    let _e91 = ways_2;
+    let _e94 = exit_1;
+    let _e96 = body_19;
+    let _e97 = view_51;
+    let _e98 = k_44;
+    let _e99 = throughSecondBody(_e89.pair, _e91.core.point, _e94.path, _e96, _e97, _e98);
+    second_2 = _e99;
+    let _e101 = second_2;
+    let _e103 = second_2;
+    let _e105 = second_2;
+    let _e107 = second_2;
+    let _e109 = view_51;
+    let _e110 = pairRadiance(_e103.pair, _e105.origin, _e107.inside, _e109);
+    let _e112 = second_2;
+    sum_16 = ((_e101.passed * _e110) + _e112.reflected);
+    let _e116 = sum_16;
+    let _e117 = exit_1;
+    let _e120 = body_19;
+    let _e125 = face_31;
+    let _e126 = body_19;
+    let _e127 = entered_6;
+    let _e129 = entered_6;
+    let _e131 = exit_1;
+    let _e132 = left_3;
+    let _e134 = internallyReflected(_e125, _e126, _e127.core, _e129.energy, _e131, _e132.passed);
+    return ((_e116 * exp((-(_e117.path) * _e120.attenuation))) + _e134);
 }

@@ -25,7 +25,7 @@ vec3 ggTile(sampler2D atlas, float height, vec4 tile, vec2 p) {
   return textureLod(atlas, texel / vec2(ggAtlas.x, height), 0.0).rgb;
 }
 // Levels are sqrt(2) apart in sigma from the first blurred one on; between two the mix keeps the variance. One of two neighbours is even,
-// the other odd: one read of each atlas.
+// the other odd: one read of each atlas, and of one alone where it is sharp.
 vec3 ggEnvironment(vec3 direction, float sigma) {
   vec3 d = direction / (abs(direction.x) + abs(direction.y) + abs(direction.z));
   vec2 p = d.y >= 0.0 ? d.xz : (1.0 - abs(d.zx)) * vec2(d.x < 0.0 ? -1.0 : 1.0, d.z < 0.0 ? -1.0 : 1.0);
@@ -35,8 +35,11 @@ vec3 ggEnvironment(vec3 direction, float sigma) {
   float share = clamp((sigma * sigma - low) / (high - low), 0.0, 1.0);
   int even = below + below % 2;
   int odd = below + 1 - below % 2;
-  return ggEye.w * mix(ggTile(ggEnvironmentEven, ggAtlas.y, ggTiles[even], p), ggTile(ggEnvironmentOdd, ggAtlas.z, ggTiles[odd], p),
-                       even == below ? share : 1.0 - share);
+  float oddShare = even == below ? share : 1.0 - share;
+  vec3 seen = vec3(0.0);
+  if (oddShare < 1.0) seen += (1.0 - oddShare) * ggTile(ggEnvironmentEven, ggAtlas.y, ggTiles[even], p);
+  if (oddShare > 0.0) seen += oddShare * ggTile(ggEnvironmentOdd, ggAtlas.z, ggTiles[odd], p);
+  return ggEye.w * seen;
 }
 // Pixels, (0.5, 0.5) the middle of the top left one -> texture coordinates.
 vec2 ggPlace(vec2 at) { return vec2(at.x, ggRange.w > 0.5 ? ggPicture.y - at.y : at.y) / ggPicture.xy; }

@@ -64,14 +64,28 @@ vec3 gg_engineEnvironment(vec3 direction, float sigma) {
   vec3 d = direction / (abs(direction.x) + abs(direction.y) + abs(direction.z));
   vec2 p = d.y >= 0.0 ? d.xz : (1.0 - abs(d.zx)) * vec2(d.x < 0.0 ? -1.0 : 1.0, d.z < 0.0 ? -1.0 : 1.0);
   // Levels are sqrt(2) apart in sigma from the first blurred one on; between two the mix keeps the variance. One of two neighbours is even,
-  // the other odd: one read of each atlas.
+  // the other odd: one read of each atlas, and of one alone where it is sharp.
   int below = clamp(int(floor(1.0 + 2.0 * log2(max(sigma, 1e-6) / ggTiles[1].z))), 0, LEVELS - 2);
   float low = ggTiles[below].z * ggTiles[below].z, high = ggTiles[below + 1].z * ggTiles[below + 1].z;
   float share = clamp((sigma * sigma - low) / (high - low), 0.0, 1.0);
   int even = below + below % 2, odd = below + 1 - below % 2;
-  return ggAtlas.w * mix(ggTile(ggEnvironmentEven, ggAtlas.y, ggTiles[even], p), ggTile(ggEnvironmentOdd, ggAtlas.z, ggTiles[odd], p),
-    even == below ? share : 1.0 - share);
+  float oddShare = even == below ? share : 1.0 - share;
+  vec3 seen = vec3(0.0);
+  if (oddShare < 1.0) seen += (1.0 - oddShare) * ggTile(ggEnvironmentEven, ggAtlas.y, ggTiles[even], p);
+  if (oddShare > 0.0) seen += oddShare * ggTile(ggEnvironmentOdd, ggAtlas.z, ggTiles[odd], p);
+  return ggAtlas.w * seen;
 }
+`;
+
+// Of three's own lookups of the environment nothing is seen where all is transmitted.
+const fragmentLights = /* glsl */`
+  bool ggLit = ggTransmission < 1.0;
+  #if defined(GG_TRANSMISSION_MAP) || defined(USE_CLEARCOAT) || defined(USE_SHEEN)
+    ggLit = true;
+  #endif
+  if (ggLit) {
+    #include <lights_fragment_maps>
+  }
 `;
 
 const fragmentBody = /* glsl */`
@@ -207,6 +221,7 @@ export class GroundglassMaterial extends THREE.MeshPhysicalMaterial {
     shader.fragmentShader = shader.fragmentShader
       .replace('#include <common>', '#include <common>\nuniform mat4 modelMatrix;\n' + bodyNumber
         + fragmentDeclarations.replaceAll('LEVELS', String(environmentLevels.length)).replace('LAYERS', 'GG_TWO_PAIRS' in this.defines ? '3' : '1'))
+      .replace('#include <lights_fragment_maps>', fragmentLights)
       .replace('#include <transmission_fragment>', fragmentBody);
   }
 
@@ -290,6 +305,18 @@ export class Groundglass {
         pixel = 0.25 * (textureLod(source, uv01 + d, 0.0) + textureLod(source, uv01 - d, 0.0)
           + textureLod(source, uv01 + vec2(d.x, -d.y), 0.0) + textureLod(source, uv01 + vec2(-d.x, d.y), 0.0));
       }`, { source: { value: null }, texel: { value: new THREE.Vector2() } });
+    // As three's own materials: tone mapping and colour space are the renderer's.
+    this.copy = new THREE.ShaderMaterial({
+      uniforms: { color: { value: null }, depth: { value: null } }, depthFunc: THREE.AlwaysDepth,
+      vertexShader: 'void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
+      fragmentShader: `uniform sampler2D color; uniform highp sampler2D depth;
+        void main() {
+          gl_FragColor = texelFetch(color, ivec2(gl_FragCoord.xy), 0);
+          gl_FragDepth = texelFetch(depth, ivec2(gl_FragCoord.xy), 0).x;
+          #include <tonemapping_fragment>
+          #include <colorspace_fragment>
+        }`,
+    });
     this.beckmann = 0;
     // 'convex': every body is taken for a lens of its thickness; 'faces': with a pass for back faces; 'pairs': two passes more, for the far wall
     // of a hollow body and for glass behind glass.
@@ -407,7 +434,7 @@ export class Groundglass {
     const { renderer } = this, target = renderer.getRenderTarget();
     const size = target ? new THREE.Vector2(target.width, target.height) : renderer.getDrawingBufferSize(new THREE.Vector2());
     const glass = [];
-    scene.traverseVisible((object) => { if (object.material?.isGroundglassMaterial) glass.push(object); });
+    scene.traverseVisible((object) => { if (object.material?.isGroundglassMaterial && object.layers.test(camera.layers)) glass.push(object); });
     if (scene.environment !== this.environment) this.setEnvironment(scene.environment);
     tables.ggSampleArea.value = 1 / this.samples;
     tables.ggAtlas.value.w = scene.environment ? scene.environmentIntensity : 0;
@@ -427,10 +454,43 @@ export class Groundglass {
         if (this.layers.length > 0) this.drawFaces(scene, camera, glass);
       }
       renderer.setRenderTarget(target);
-      renderer.render(scene, camera);
+      if (glass.length > 0 && this.once(scene, target)) this.drawGlass(scene, camera, glass);
+      else renderer.render(scene, camera);
     } finally {
       drawing = false;
     }
+  }
+
+  // Whether what is not glass need not be drawn again: all of it is in the pictures of the first pass. Not what glass may stand behind without its
+  // knowing, nor edges that the target has more samples of.
+  once(scene, target) {
+    if (target ? target.samples > 0 : this.renderer.getContextAttributes().antialias) return false;
+    let opaque = true;
+    scene.traverseVisible(({ material }) => {
+      for (const one of [material].flat()) if (one && !one.isGroundglassMaterial && (one.transparent || one.transmission > 0)) opaque = false;
+    });
+    return opaque;
+  }
+
+  // The first pass' pictures, then glass.
+  drawGlass(scene, camera, glass) {
+    const { renderer } = this, { background } = scene, layers = camera.layers.mask, clears = renderer.autoClear;
+    const drawn = [...glass];
+    scene.traverseVisible((object) => { if (object.isLight && object.layers.test(camera.layers)) drawn.push(object); });
+    for (const one of drawn) one.layers.enable(glassLayer);
+    this.copy.uniforms.color.value = this.scene.texture;
+    this.copy.uniforms.depth.value = this.scene.depthTexture;
+    if (clears) renderer.clear();
+    renderer.autoClear = false;
+    this.mesh.material = this.copy;
+    renderer.render(this.stage, this.camera);
+    camera.layers.set(glassLayer);
+    scene.background = null;
+    renderer.render(scene, camera);
+    scene.background = background;
+    camera.layers.mask = layers;
+    renderer.autoClear = clears;
+    for (const one of drawn) one.layers.disable(glassLayer);
   }
 
   // The second and third tier, where rays leave the glass: the nearest back faces, the front faces behind those, the back faces behind these.
