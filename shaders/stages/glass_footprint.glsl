@@ -4,7 +4,8 @@
 //          offsets  xy of core, zw of rest, pixels from the fragment's own
 //          spots    xy variances of both, pixels²; zw the shares of lobeColor that the picture covers
 //          lobes    rgb weight of both together; w the number of the solid (stages/object.glsl), 0 where there is none
-//          far      rgb radiance that does not come from the picture; w the largest channel of what does
+//          far      rgb radiance that does not come from the picture, or comes by strata of a wide lobe; w the largest channel of
+//                   what the picture covers
 #include "stages/glass_material.glsl"
 #include "stages/glass_look.glsl"
 
@@ -15,31 +16,57 @@ layout(location = 3) out vec4 outFar;
 
 void writeFootprint() {
     LobePair pair = readLobes();
-    Intersection intersection = pairIntersection(pair.core, endWithinGlass());
+    float within = endWithinGlass();
     vec3 both = pair.core.weight + pair.rest.weight;
     if (entryLobes == 1) both = pair.core.weight;
     outOffsets = vec4(0.0);
     outSpots = vec4(0.0);
     outLobes = vec4(both, float(objectId()));
     outFar = vec4(0.0);
-    WeightedLobe w = pair.core;
-    for (int m = 0; m < entryLobes; ++m) {
-        if (m == 1) w = pair.rest;
-        LobeRay part = partOf(w.lobe);
-        Footprint f = footprintOf(part, intersection);
-        vec4 near = pictureRadiance(f);
-        float share = near.w;
-        outFar.w += share * largest(w.weight * near.xyz);
-        outFar.xyz += w.weight * (1.0 - share) * farRadiance(part.direction, seenSigma(part));
-        if (hasLights) outFar.xyz += w.weight * lightsAlong(w.lobe);
-        vec2 off = f.share > 0.0 ? f.at - vec2(picturePixel()) - 0.5 : vec2(0.0);
-        float shown = share * largest(w.weight) / max(largest(both), 1e-30);
-        if (m == 0) {
-            outOffsets.xy = off;
-            outSpots.xz = vec2(f.variance, shown);
-        } else {
-            outOffsets.zw = off;
-            outSpots.yw = vec2(f.variance, shown);
+    // As lookupRadiance(). What strata bring is interpolated as radiance: it changes slowly.
+    vec4 strata = vec4(0.0);
+    float wide = 0.0;
+    float mean = 0.0; // 1 / distance
+    vec2 pairs = vec2(0.0);
+    int last = 0;
+    for (int k = 0; k <= last; ++k) {
+        vec3 stratum = k == 0 ? ownStratum() : wideStratum(k - 1);
+        Intersection intersection = lobeIntersection(stratumOf(pair.core.lobe, stratum), within);
+        if (k == 0 && within < 0.0) wide = wideShare(pair.core.lobe, intersection);
+        float inverse = inverseDistance(intersection);
+        if (k == 0) mean = inverse;
+        else if (k <= 4) pairs += (k & 1) == 1 ? vec2(inverse, 0.0) : vec2(0.0, inverse);
+        if (k == 4) wide *= apartShare(pairs, mean);
+        last = wide > 0.0 ? (k < 4 ? 4 : WIDE_STRATA) : 0;
+        WeightedLobe w = pair.core;
+        for (int m = 0; m < entryLobes; ++m) {
+            if (m == 1) w = pair.rest;
+            LobeRay part = stratumOf(w.lobe, stratum);
+            Footprint f = footprintOf(part, intersection);
+            vec4 near = pictureRadiance(f);
+            float share = near.w;
+            vec3 around = farRadiance(part.direction, seenSigma(part));
+            vec4 far = vec4(w.weight * (1.0 - share) * around, share * largest(w.weight * near.xyz));
+            if (k > 0) {
+                strata += far + vec4(share * w.weight * near.xyz, 0.0);
+                continue;
+            }
+            outFar += far;
+            vec2 off = f.share > 0.0 ? f.at - vec2(picturePixel()) - 0.5 : vec2(0.0);
+            float shown = share * largest(w.weight) / max(largest(both), 1e-30);
+            if (m == 0) {
+                outOffsets.xy = off;
+                outSpots.xz = vec2(f.variance, shown);
+            } else {
+                outOffsets.zw = off;
+                outSpots.yw = vec2(f.variance, shown);
+            }
         }
+    }
+    outSpots.zw *= 1.0 - wide;
+    outFar = mix(outFar, strata / float(WIDE_STRATA), wide);
+    if (hasLights) {
+        outFar.xyz += pair.core.weight * lightsAlong(pair.core.lobe);
+        if (entryLobes > 1) outFar.xyz += pair.rest.weight * lightsAlong(pair.rest.lobe);
     }
 }

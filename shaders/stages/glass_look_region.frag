@@ -15,6 +15,11 @@ layout(location = 0) out vec4 outColor;
 void main() {
     bool shown = readRegion();
     LobePair pair = readLobes();
-    vec3 radiance = pairRadiance(pair.core, pair.rest, entryLobes > 1, endWithinGlass(), true);
+    GlassLookup g = lookupOf(pair.core);
+    g.rest = pair.rest;
+    g.both = entryLobes > 1;
+    g.within = endWithinGlass();
+    g.transmitted = true;
+    vec3 radiance = lookupRadiance(g);
     outColor = shown ? vec4(radiance, 1.0) : vec4(0.0);
 }

@@ -23,11 +23,9 @@ vec3 lightsAlong(LobeRay lobe) {
     return sum / (2.0 * BSDF_PI * variance);
 }
 
-// Where the first of two lobes that meet the same thing meets it. within: metres to something opaque inside that ends it; negative:
-// none.
-Intersection pairIntersection(WeightedLobe core, float within) {
-    LobeRay part = partOf(core.lobe);
-    Intersection intersection = intersectScene(part.origin, part.direction, part.sigma, true);
+// Where a lobe meets what is behind. within: metres to something opaque inside that ends it; negative: none.
+Intersection lobeIntersection(LobeRay lobe, float within) {
+    Intersection intersection = intersectScene(lobe.origin, lobe.direction, lobe.sigma, true);
     if (holdsOpaque && within >= 0.0) {
         intersection.distance = within;
         intersection.seen = true;
@@ -35,19 +33,55 @@ Intersection pairIntersection(WeightedLobe core, float within) {
     return intersection;
 }
 
-// Radiance of both, or of the first alone. lit: punctual lights too; what the outside reflects has them elsewhere
-// (punctual_lights.glsl).
-vec3 pairRadiance(WeightedLobe core, WeightedLobe rest, bool both, float within, bool lit) {
-    vec3 sum = vec3(0.0);
-    Intersection intersection = pairIntersection(core, within);
-    WeightedLobe w = core;
-    int members = both ? 2 : 1; // in one place: see above
-    for (int m = 0; m < members; ++m) {
-        if (m == 1) w = rest;
-        sum += w.weight * lobeRayRadiance(partOf(w.lobe), intersection);
-        if (hasLights && lit) sum += w.weight * lightsAlong(w.lobe);
+// One lobe, or two that meet the same thing.
+struct GlassLookup {
+    WeightedLobe core;
+    WeightedLobe rest;
+    bool both;
+    bool transmitted; // lit by punctual lights; what the outside reflects has them elsewhere (punctual_lights.glsl)
+    float within;     // metres to something opaque inside that ends them; negative: none
+};
+
+GlassLookup lookupOf(WeightedLobe core) {
+    GlassLookup g;
+    g.core = core;
+    g.rest = core;
+    g.both = false;
+    g.transmitted = false;
+    g.within = -1.0;
+    return g;
+}
+
+// By one intersection, or by one for each stratum of a wide lobe that is transmitted. What is reflected or residual is little, and
+// its strata gain nothing (bottle: 1 %-trimmed relMSE .094 without, .097 with them).
+vec3 lookupRadiance(GlassLookup g) {
+    vec3 single = vec3(0.0);
+    vec3 strata = vec3(0.0);
+    vec3 lit = vec3(0.0);
+    float wide = 0.0;
+    float mean = 0.0; // 1 / distance
+    vec2 pairs = vec2(0.0);
+    int members = g.both ? 2 : 1; // in one place: see above
+    int last = 0;
+    for (int k = 0; k <= last; ++k) {
+        vec3 stratum = k == 0 ? ownStratum() : wideStratum(k - 1);
+        Intersection intersection = lobeIntersection(stratumOf(g.core.lobe, stratum), g.within);
+        if (k == 0 && g.transmitted && g.within < 0.0) wide = wideShare(g.core.lobe, intersection);
+        float inverse = inverseDistance(intersection);
+        if (k == 0) mean = inverse;
+        else if (k <= 4) pairs += (k & 1) == 1 ? vec2(inverse, 0.0) : vec2(0.0, inverse);
+        if (k == 4) wide *= apartShare(pairs, mean);
+        last = wide > 0.0 ? (k < 4 ? 4 : WIDE_STRATA) : 0;
+        WeightedLobe w = g.core;
+        for (int m = 0; m < members; ++m) {
+            if (m == 1) w = g.rest;
+            vec3 radiance = w.weight * lobeRayRadiance(stratumOf(w.lobe, stratum), intersection);
+            if (k == 0) single += radiance;
+            else strata += radiance;
+            if (hasLights && g.transmitted && k == 0) lit += w.weight * lightsAlong(w.lobe);
+        }
     }
-    return sum;
+    return mix(single, strata / float(WIDE_STRATA), wide) + lit;
 }
 
 // Radiance of the reflection lobes, beside light that is transmitted with this weight.
@@ -56,7 +90,10 @@ vec3 mirrorRadiance(MirrorLobes mirror, vec3 transmitted) {
     vec3 all = reflected + transmitted;
     float share = mirrored(reflected, all);
     vec3 sum = vec3(0.0);
-    if (share > 0.0) sum += share * pairRadiance(mirror.core, mirror.rest, lobeCount > 1, -1.0, false);
+    GlassLookup g = lookupOf(mirror.core);
+    g.rest = mirror.rest;
+    g.both = lobeCount > 1;
+    if (share > 0.0) sum += share * lookupRadiance(g);
     if (share < 1.0) sum += (1.0 - share) * aroundMirror(mirror, all);
     return sum;
 }
@@ -91,34 +128,26 @@ vec3 glassRadiance(GlassLobes lobes, MirrorLobes mirror) {
     // Pixels in lockstep take as long as the slowest: the march is short where only the core is looked up.
     int group = 0;
     while (group < 4) {
-        WeightedLobe w = lobes.core;
+        GlassLookup g = lookupOf(lobes.core);
         float share = 1.0;
-        if (group == 1) {
-            w = lobes.reflectedInside;
+        if (group == 0) {
+            g.rest = lobes.rest;
+            g.both = entryLobes > 1;
+            g.within = lobes.within;
+        } else if (group == 1) {
+            g.core = lobes.reflectedInside;
             share = wanted.x;
         } else if (group == 2) {
-            w = mirror.core;
+            g.core = mirror.core;
+            g.rest = mirror.rest;
+            g.both = lobeCount > 1;
             share = wanted.y;
-        } else if (group == 3) {
-            w = lobes.residual;
+        } else {
+            g.core = lobes.residual;
             share = wanted.z;
         }
-        LobeRay part = partOf(w.lobe);
-        Intersection intersection = intersectScene(part.origin, part.direction, part.sigma, true);
-        if (group == 0 && lobes.within >= 0.0) {
-            intersection.distance = lobes.within;
-            intersection.seen = true;
-        }
-        int members = (group == 0 && entryLobes > 1) || (group == 2 && lobeCount > 1) ? 2 : 1;
-        for (int m = 0; m < members; ++m) {
-            if (m == 1) {
-                w = lobes.rest;
-                if (group == 2) w = mirror.rest;
-                part = partOf(w.lobe);
-            }
-            sum += share * w.weight * lobeRayRadiance(part, intersection);
-            if (hasLights && group < 2) sum += w.weight * lightsAlong(w.lobe);
-        }
+        g.transmitted = group < 2;
+        sum += share * lookupRadiance(g);
         ++group;
         if (group == 1 && wanted.x == 0.0) ++group;
         if (group == 2 && wanted.y == 0.0) ++group;

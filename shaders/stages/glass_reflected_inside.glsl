@@ -14,5 +14,7 @@ void writeReflectedInside(bool shown) {
     path.reflectedInside = shown && path.last.run > 0.0 && endWithinGlass() < 0.0;
     WeightedLobe w = seenThrough(reflectedInsideLobe(path), transmissionTint(s));
     outColor = vec4(0.0);
-    if (path.reflectedInside) outColor = vec4(pairRadiance(w, w, false, -1.0, true), 0.0);
+    GlassLookup g = lookupOf(w);
+    g.transmitted = true;
+    if (path.reflectedInside) outColor = vec4(lookupRadiance(g), 0.0);
 }

@@ -21,7 +21,7 @@ void writeResidual(bool shown) {
         radiance += residual.weight * wideRadiance(-residual.lobe.direction);
     }
     float share = looked(residual.weight, residual.weight + texelFetch(lobeWeight, ivec2(gl_FragCoord.xy), 0).xyz);
-    if (share > 0.0) radiance += share * pairRadiance(residual, residual, false, -1.0, false);
+    if (share > 0.0) radiance += share * lookupRadiance(lookupOf(residual));
     // Where it always scatters diffusely, the widest lookup does.
     if (share < 1.0)
         radiance += (1.0 - share) * (interiorPairs < 2 ? farLobe(residual)

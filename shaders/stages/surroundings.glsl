@@ -46,16 +46,34 @@ mat2 pixelTurn() {
     return mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
 }
 
-// The stratum of a lobe that this sample of the pixel takes. A wide lobe meets more than one thing: each stratum finds its own
-// intersection, where a single one would draw a sharp outline.
-LobeRay partOf(LobeRay lobe) {
-    LobeStratum own = lobeStratum(lobe.direction, lobe.sigma, lobe.inner, lobe.carried, vec3(pixelTurn() * frame.part.xy, frame.part.z));
+// A stratum of a lobe (refraction/lobe_stratum.glsl).
+LobeRay stratumOf(LobeRay lobe, vec3 stratum) {
+    LobeStratum own = lobeStratum(lobe.direction, lobe.sigma, lobe.inner, lobe.carried, stratum);
     lobe.origin += lobe.inside * own.aside;
     lobe.direction = own.direction;
     lobe.sigma = own.sigma;
     lobe.inner = own.inner;
     lobe.carried = own.carried;
     return lobe;
+}
+
+// The stratum of a lobe that this sample of the pixel takes. A wide lobe meets more than one thing: each stratum finds its own
+// intersection, where a single one would draw a sharp outline.
+vec3 ownStratum() { return vec3(pixelTurn() * frame.part.xy, frame.part.z); }
+
+LobeRay partOf(LobeRay lobe) { return stratumOf(lobe, ownStratum()); }
+
+// Where a pixel has fewer samples than this a wide lobe takes as many strata in each of them.
+const int WIDE_STRATA = 8;
+bool hasFewSamples() { return frame.part.w * float(12 * WIDE_STRATA) > 1.0; }
+
+// The k-th of them, sqrt(.5) as wide as the lobe, one sigma off its mean: together they have its mean and variance, and so have the
+// first four, of which the first and the third, and the second and the fourth, are opposite. Level and upright edges cross no two
+// of four at once. Samples of a pixel turn them.
+vec3 wideStratum(int k) {
+    float own = dot(frame.part.xy, frame.part.xy) > 0.0 ? atan(frame.part.y, frame.part.x) / float(WIDE_STRATA) : 0.0;
+    float turn = 0.21 + own + (float(k & 3) + (k < 4 ? 0.0 : 0.5)) * (0.5 * BSDF_PI);
+    return vec3(cos(turn), sin(turn), 0.70711);
 }
 
 // Where a lobe mean meets the depth behind the layer.
@@ -305,6 +323,7 @@ float seenSigma(LobeRay lobe) { return sqrt(lobe.sigma * lobe.sigma + lobe.turn)
 struct Footprint {
     vec2 at;        // pixels
     float variance; // pixels²
+    float outside;  // of that, pixels²: because it is not on the picture
     float share;    // 0: the picture does not show it
 };
 
@@ -313,6 +332,7 @@ Footprint footprintOf(LobeRay lobe, Intersection intersection) {
     Footprint f;
     f.at = vec2(0.0);
     f.variance = 0.0;
+    f.outside = 0.0;
     f.share = 0.0;
     bool ends = intersection.distance >= 0.0;
     vec4 place = ends ? vec4(lobe.origin + intersection.distance * lobe.direction, 1.0) : vec4(lobe.direction, 0.0);
@@ -345,7 +365,8 @@ Footprint footprintOf(LobeRay lobe, Intersection intersection) {
     if (intersection.wall > 0.0) f.share = intersection.wall;
     outside *= OUTSIDE_FADE * frame.picture.y;
     f.at = at;
-    f.variance = pixels * pixels + dot(outside, outside);
+    f.outside = dot(outside, outside);
+    f.variance = pixels * pixels + f.outside;
     return f;
 }
 
@@ -362,4 +383,31 @@ vec3 lobeRayRadiance(LobeRay lobe, Intersection intersection) {
     vec4 near = pictureRadiance(footprintOf(lobe, intersection));
     if (near.w >= 0.999) return near.xyz; // the rest, a thousandth, is below a step of 8 bits
     return mix(farRadiance(lobe.direction, seenSigma(lobe)), near.xyz, near.w);
+}
+
+// How much of a lobe's light its strata bring: from sigmas on the picture of 1.5 pixels, where an outline is as sharp as its blur,
+// to 3. `intersection`: of the lobe's mean.
+const float WIDE_FROM = 1.5;
+const float WIDE_TO = 3.0;
+
+// What is no wider than that where it starts is not either where it ends: an orthographic camera, which sees metres, apart.
+float wideShare(LobeRay lobe, Intersection intersection) {
+    if (!hasFewSamples() || (lobe.sigma * frame.picture.z < WIDE_FROM && ofPixel(frame.eye.w) > 0.0)) return 0.0;
+    // Over the glass, in pixels: where a face turns so fast its lobes differ more from pixel to pixel than they are wide.
+    float onGlass = lobe.sigma * sqrt(frame.part.w / max(lobe.turn, 1e-12));
+    lobe.turn = 0.0; // what the pixel adds is no part of the lobe
+    Footprint f = footprintOf(lobe, intersection);
+    float sigma = f.share > 0.0 ? sqrt(f.variance - f.outside) : lobe.sigma * frame.picture.z;
+    return smoothstep(WIDE_FROM, WIDE_TO, min(sigma, onGlass));
+}
+
+float inverseDistance(Intersection intersection) { return intersection.distance > 0.0 ? 1.0 / intersection.distance : 0.0; }
+
+// Of that share, what is left where the first four strata meet the plane that the mean meets: there 1 / distance is the mean of
+// that of two that are opposite. pairs: their sums.
+const float ONE_PLANE = 0.005;
+const float TWO_THINGS = 0.02;
+float apartShare(vec2 pairs, float mean) {
+    vec2 apart = abs(0.5 * pairs - mean) / max(max(0.5 * pairs, vec2(mean)), vec2(1e-30));
+    return smoothstep(ONE_PLANE, TWO_THINGS, max(apart.x, apart.y));
 }

@@ -28,5 +28,9 @@ void main() {
     WeightedLobe rest = wall.through.rest;
     rest.lobe.turn = core.lobe.turn;
     rest.weight *= transmissionTint(s);
-    outColor = vec4(pairRadiance(core, rest, entryLobes > 1, -1.0, true) * coverage, coverage);
+    GlassLookup g = lookupOf(core);
+    g.rest = rest;
+    g.both = entryLobes > 1;
+    g.transmitted = true;
+    outColor = vec4(lookupRadiance(g) * coverage, coverage);
 }
