@@ -13,11 +13,13 @@ struct ListOptions {
   std::string what;
 };
 
-const char* lookups_of(const NamedMethod& method) {
+std::string description_of(const NamedMethod& method) {
   if (method.name == "standard")
     return "the usual approximation: one interface, one blur by roughness";
   if (method.name.starts_with("fis")) return "importance sampling, prefiltered; fis1 to fis1024";
-  return "fitted Gaussian lobes per interface";
+  const std::string lobes = method.name.substr(std::string_view("lobes").size());
+  return lobes + (lobes == "1" ? " Gaussian lobe" : " Gaussian lobes")
+         + " fitted to each interface";
 }
 
 void print_presets() {
@@ -42,7 +44,7 @@ void print_environments() {
 void print_methods() {
   fmt::print("Methods (--method NAME):\n");
   for (const NamedMethod& method : methods())
-    fmt::print("  {:<16} {}{}\n", method.name, lookups_of(method),
+    fmt::print("  {:<16} {}{}\n", method.name, description_of(method),
                method.name == MethodOptions{}.method ? " (the default)" : "");
   fmt::print("  {:<16} the best of them for a scene, measured: with --budget or --max-error\n",
              "auto");
