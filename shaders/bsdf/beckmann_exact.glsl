@@ -41,7 +41,7 @@ float beckmannG1Exact(Tilt w, float alpha) {
 
 float beckmannLambdaExact(Tilt w, float alpha) {
   float g1 = beckmannG1Exact(w, alpha);
-  return g1 > 1e-30 ? 1.0 / g1 - 1.0 : 1e30;
+  return g1 > LEAST_DIVISOR ? 1.0 / g1 - 1.0 : 1e30; // where G1 underflows
 }
 
 #endif

@@ -13,6 +13,7 @@
 #ifndef GG_ENVIRONMENT_STRETCHED_LOBE_GLSL
 #define GG_ENVIRONMENT_STRETCHED_LOBE_GLSL
 
+#include "bsdf/constants.glsl"
 #include "bsdf/ggx_anisotropic.glsl"
 
 struct StretchedPart {
@@ -23,7 +24,7 @@ struct StretchedPart {
 
 // Spacings of parts are about as wide as the lobe of one part: the distribution's middle half is 1.15 widths wide.
 int stretchedParts(vec2 alpha) {
-  float ratio = alpha.x / max(alpha.y, 1e-3);
+  float ratio = alpha.x / max(alpha.y, 1e-3); // as ggxAnisoWidths bounds it
   return ratio < 1.5 ? 2 : ratio < 3.0 ? 4 : ratio < 6.0 ? 6 : 8;
 }
 
@@ -45,9 +46,9 @@ const float STRETCHED_ALONG = 0.03;
 
 // shift: of all parts, in spacings, [-1/2, 1/2]; sharpness: the share of the spacing that each part keeps as its width, (0, 1].
 StretchedPart stretchedPart(vec3 wo, vec2 alpha, int k, int count, float shift, float sharpness) {
-  float apart = sqrt(max(alpha.x * alpha.x - alpha.y * alpha.y, 1e-12));
+  float apart = sqrt(max(alpha.x * alpha.x - alpha.y * alpha.y, LEAST_LENGTH2));
   // Slopes that reflect wo above the horizon: z s² + 2 x s - z < 0 for a normal (-s, 0, 1).
-  float z = max(wo.z, 1e-4);
+  float z = max(wo.z, LEAST_COSINE);
   float root = sqrt(wo.x * wo.x + z * z);
   float low = stretchedQuantile(-(root + wo.x) / (z * apart));
   float high = stretchedQuantile((root - wo.x) / (z * apart));

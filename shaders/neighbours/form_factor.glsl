@@ -11,12 +11,14 @@
 #ifndef GG_NEIGHBOURS_FORM_FACTOR_GLSL
 #define GG_NEIGHBOURS_FORM_FACTOR_GLSL
 
+#include "bsdf/constants.glsl"
+
 float capFormFactor(float cosTheta, float sin2) {
   float within = min(sin2, 0.999); // the cap of a half space: the receiver lies on what it sees
   float c = clamp(cosTheta, -1.0, 1.0);
   if (c * c >= within) return within * max(c, 0.0);
   float sinTheta = sqrt(1.0 - c * c);
-  float cot = sqrt(1.0 / max(within, 1e-12) - 1.0);
+  float cot = sqrt(1.0 / max(within, LEAST_LENGTH2) - 1.0);
   float y = clamp(-cot * c / sinTheta, -1.0, 1.0);
   float chord = sinTheta * sqrt(1.0 - y * y);
   return clamp(((c * acos(y) - cot * chord) * within + atan(chord / cot)) / 3.14159265, 0.0, 1.0);
@@ -32,6 +34,7 @@ float sphereFormFactor(vec3 centre, float radius, vec3 n) {
 vec3 edgeVector(vec3 a, vec3 b) {
   vec3 across = cross(a, b);
   float sine = length(across);
+  // Below a ten-millionth of a radian atan(x) / x is 1 in float32.
   return sine > 1e-7 ? across * (atan(sine, dot(a, b)) / sine) : across;
 }
 

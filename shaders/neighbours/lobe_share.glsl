@@ -14,6 +14,8 @@
 #ifndef GG_NEIGHBOURS_LOBE_SHARE_GLSL
 #define GG_NEIGHBOURS_LOBE_SHARE_GLSL
 
+#include "bsdf/constants.glsl"
+
 const float LEAST_LOBE = 0.01; // radians: below it a share is an edge, no wider than a pixel of most pictures
 
 struct LobeShare {
@@ -53,7 +55,7 @@ LobeShare sphereShare(vec3 centre, float radius, vec3 direction, float sigma) {
   float u2 = rho * rho / (s * s);
   float curved = 0.9 * rho * sqrt(1.0 - sinRho * sinRho) / sinRho;
   float reach = rho * sqrt((u2 + 1.0) / (u2 + 1.0 + curved)) / s;
-  float middle = max(2.0 * lobeIntegral(reach) - 1.0, 1e-6);
+  float middle = max(2.0 * lobeIntegral(reach) - 1.0, LEAST_WEIGHT);
   float beside = lobeIntegral(reach - theta / s) - lobeIntegral(-reach - theta / s);
   found.share = (1.0 - exp(-0.5 * u2)) * clamp(beside / middle, 0.0, 1.0) * smoothstep(0.8, 1.0, range / radius);
   // A product of two Gaussians: the lobe and the disc, which has a quarter of its squared radius per axis.
@@ -61,7 +63,7 @@ LobeShare sphereShare(vec3 centre, float radius, vec3 direction, float sigma) {
   float off = min(theta * disc / (disc + s * s), 0.98 * rho);
   vec3 towards = direction - dot(direction, axis) * axis;
   float side = length(towards);
-  if (side > 1e-6) found.direction = cos(off) * axis + (sin(off) / side) * towards;
+  if (side > LEAST_LENGTH) found.direction = cos(off) * axis + (sin(off) / side) * towards;
   float across = range * sin(off);
   found.distance = max(range * cos(off) - sqrt(max(radius * radius - across * across, 0.0)), 0.0);
   found.n = normalize(found.distance * found.direction - centre);
@@ -71,9 +73,9 @@ LobeShare sphereShare(vec3 centre, float radius, vec3 direction, float sigma) {
 
 // The share on the inner side of a great circle with that normal; `along` is the deviation where it runs level with the horizon.
 float withinEdge(vec3 edge, vec3 direction, vec3 along, vec3 beside, float below, float s, vec3 n, float horizon) {
-  vec3 inward = edge * inversesqrt(max(dot(edge, edge), 1e-30));
+  vec3 inward = edge * inversesqrt(max(dot(edge, edge), LEAST_DIVISOR));
   vec2 width = vec2(below * dot(inward, along), s * dot(inward, beside));
-  float share = lobeIntegral(dot(inward, direction) / max(length(width), 1e-4));
+  float share = lobeIntegral(dot(inward, direction) / max(length(width), 0.01 * LEAST_LOBE));
   // What the horizon has cut off already an edge that lies along it must not cut again.
   return min(share / mix(1.0, horizon, clamp(-dot(inward, n), 0.0, 1.0)), 1.0);
 }
@@ -88,13 +90,14 @@ LobeShare rectangleShare(vec3 centre, vec3 u, vec3 v, vec3 direction, float sigm
   float height = -dot(centre, n);
   float sinDown = clamp(-dot(direction, n), -1.0, 1.0);
   float z = asin(sinDown) / s;
+  // A point in the plane, to a hundred roundings of where it is, does not see its front.
   if (!(height > 1e-5 * length(centre)) || z < -4.0) return found;
   float below = lobeIntegral(z);
   float shift = 0.3989423 * exp(-0.5 * z * z) / below;
   float down = clamp(asin(sinDown) + s * shift, 0.02, 1.5707963);
   float width = s * sqrt(max(1.0 - z * shift - shift * shift, 0.05));
   vec3 level = direction + sinDown * n;
-  level = dot(level, level) > 1e-8 ? normalize(level) : normalize(u);
+  level = dot(level, level) > LEAST_COSINE * LEAST_COSINE ? normalize(level) : normalize(u);
   vec3 middle = cos(down) * level - sin(down) * n;
   vec3 along = -sin(down) * level - cos(down) * n;
   vec3 beside = cross(level, n);
@@ -109,7 +112,7 @@ LobeShare rectangleShare(vec3 centre, vec3 u, vec3 v, vec3 direction, float sigm
   vec3 at = (height / sin(down)) * middle - centre;
   vec3 met = centre + clamp(dot(at, u) / dot(u, u), -1.0, 1.0) * u + clamp(dot(at, v) / dot(v, v), -1.0, 1.0) * v;
   found.distance = length(met);
-  found.direction = met / max(found.distance, 1e-30);
+  found.direction = met / max(found.distance, LEAST_DIVISOR);
   found.n = n;
   found.sigma = min(width, 0.4);
   return found;

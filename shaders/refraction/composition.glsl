@@ -56,7 +56,7 @@ ComposedLobe composeLobe(InnerLobe inner, ExitView view, ExitSurface s, float an
   // In the plane of incidence: x along the face, y along n.
   vec3 along = inner.direction - view.cosTheta * s.n;
   float sinTheta = length(along);
-  vec3 t = along / max(sinTheta, 1e-12); // straight through: the zero vector, and the tables' angle is 0
+  vec3 t = along / max(sinTheta, LEAST_DIVISOR); // straight through: the zero vector, and the tables' angle is 0
   vec2 d = vec2(sinTheta, view.cosTheta);
   vec2 l = vec2(sin(angle), cos(angle));
   vec2 h = (ratio * d - l) * (ratio < 1.0 ? -1.0 : 1.0); // the mean facet, on n's side

@@ -8,6 +8,8 @@
 #ifndef GG_REFRACTION_COMPOSITION_VIEW_GLSL
 #define GG_REFRACTION_COMPOSITION_VIEW_GLSL
 
+#include "bsdf/constants.glsl"
+
 // Where a ray leaves the solid.
 struct ExitSurface {
   vec3 n;      // outward: dot(n, direction) > 0
@@ -64,7 +66,7 @@ Widening wideningBeckmann(int lobes) {
 // in the plane of incidence and across it. Towards grazing rays the spot on the surface grows without end, the turn stops at
 // four times the sphere's 2: there the face is no longer one surface of one curvature.
 vec2 exitTurn(float cosTheta, float pathLength, vec2 curvature) {
-  vec2 turn = vec2(pathLength * curvature.x / max(cosTheta, 1e-6), pathLength * curvature.y);
+  vec2 turn = vec2(pathLength * curvature.x / max(cosTheta, LEAST_LENGTH), pathLength * curvature.y);
   return clamp(turn, -8.0, 8.0);
 }
 

@@ -13,6 +13,7 @@
 #ifndef GG_REFRACTION_EXIT_SEARCH_GLSL
 #define GG_REFRACTION_EXIT_SEARCH_GLSL
 
+#include "bsdf/constants.glsl"
 #include "refraction/exit_surface.glsl"
 
 const float EXIT_NOWHERE = -2.0; // inside by less than any depth: nothing is there
@@ -111,7 +112,7 @@ vec2 exitCurvature(vec3 n, vec3 direction, vec3 stepX, vec3 turnX, vec3 stepY, v
   if (area == 0.0 || turn > 0.0625) return vec2(0.0);
   // A ray along n has no plane: that of stepX will do.
   vec3 along = direction - dot(direction, n) * n;
-  if (dot(along, along) < 1.0e-12) along = stepX - dot(stepX, n) * n;
+  if (dot(along, along) < LEAST_LENGTH2) along = stepX - dot(stepX, n) * n;
   vec3 t1 = normalize(along);
   vec3 t2 = cross(n, t1);
   vec3 turn1 = (dot(stepY, t2) * turnX - dot(stepX, t2) * turnY) / area;

@@ -13,6 +13,7 @@
 #ifndef GG_REFRACTION_INTERFACE_TABLE_GLSL
 #define GG_REFRACTION_INTERFACE_TABLE_GLSL
 
+#include "bsdf/constants.glsl"
 #include "bsdf/fresnel_dielectric.glsl"
 #include "environment/table_axis.glsl"
 
@@ -89,10 +90,10 @@ float interfaceSnell(float cosTheta, float eta) {
 float interfaceWidth(float cosTheta, float alpha, float eta) {
   float g = fresnelG(clamp(cosTheta, 0.0, 1.0), eta);
   float critical = sqrt(max((1.0 - eta) * (1.0 + eta), 0.0));
-  float across = abs((eta - 1.0) * (eta + 1.0)) / max(eta * (g + max(cosTheta, critical)), 1e-30);
+  float across = abs((eta - 1.0) * (eta + 1.0)) / max(eta * (g + max(cosTheta, critical)), LEAST_DIVISOR);
   float cosT = g / eta;
   float lean = alpha + max(critical - cosTheta, 0.0);
-  float width = lean * across * inversesqrt(sqrt(cosT * cosT + max(lean, 1e-12)));
+  float width = lean * across * inversesqrt(sqrt(cosT * cosT + max(lean, LEAST_LENGTH2)));
   return width / (1.0 + 2.0 * width);
 }
 
@@ -115,7 +116,7 @@ InterfaceLobe interfaceLobe(vec4 texel, float cosTheta, float alpha, float eta) 
 // At normal incidence no side is opposite wo: any will do, as the lobe is round.
 vec3 interfaceLobeDirection(vec3 wo, vec3 n, float angle) {
   vec3 across = dot(wo, n) * n - wo;
-  if (!(dot(across, across) > 1e-12)) across = cross(n, abs(n.x) < 0.7 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0));
+  if (!(dot(across, across) > LEAST_LENGTH2)) across = cross(n, abs(n.x) < 0.7 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0));
   return sin(angle) * normalize(across) - cos(angle) * n;
 }
 

@@ -8,6 +8,7 @@
 #ifndef GG_REFRACTION_SCENE_INTERSECTION_GLSL
 #define GG_REFRACTION_SCENE_INTERSECTION_GLSL
 
+#include "bsdf/constants.glsl"
 #include "refraction/engine.glsl"
 
 struct SceneView {
@@ -58,7 +59,7 @@ SceneIntersection sceneGuess(vec4 origin, vec4 along, SceneView view) {
 float sceneShown(vec4 origin, vec4 way) {
   vec4 room = max(vec4(origin.w - origin.x, origin.w + origin.x, origin.w - origin.y, origin.w + origin.y), vec4(0.0));
   vec4 loss = vec4(way.x - way.w, -way.x - way.w, way.y - way.w, -way.y - way.w);
-  vec4 cut = min(room / max(max(loss, room), vec4(1e-30)), vec4(1.0));
+  vec4 cut = min(room / max(max(loss, room), vec4(LEAST_DIVISOR)), vec4(1.0));
   float end = min(min(cut.x, cut.y), min(cut.z, cut.w));
   return min(end, 0.99 * origin.w / max(-way.w, 0.99 * origin.w));
 }
@@ -99,9 +100,9 @@ SceneIntersection sceneMarch(vec4 origin, vec4 along, SceneView view) {
     met.seen = bordered || (heightHigh >= 0.0 && depth > 1e29 && along.w > 0.0);
     return met;
   }
-  float gap = max(heightLow - heightHigh, 1e-30);
+  float gap = max(heightLow - heightHigh, LEAST_DIVISOR);
   for (int k = 0; k < SCENE_SECANTS; ++k) {
-    float share = k % 2 == 0 ? 0.5 : heightLow / max(heightLow - heightHigh, 1e-30);
+    float share = k % 2 == 0 ? 0.5 : heightLow / max(heightLow - heightHigh, LEAST_DIVISOR);
     float u = mix(low, high, clamp(share, 0.0, 1.0));
     vec3 p = mix(a, b, u);
     depth = engineSceneDepth(vec2((0.5 + 0.5 * p.x) * view.size.x, (0.5 - 0.5 * p.y) * view.size.y));
@@ -112,13 +113,13 @@ SceneIntersection sceneMarch(vec4 origin, vec4 along, SceneView view) {
     high = front ? high : u;
     heightHigh = front ? heightHigh : height;
   }
-  float u = mix(low, high, heightLow / max(heightLow - heightHigh, 1e-30));
+  float u = mix(low, high, heightLow / max(heightLow - heightHigh, LEAST_DIVISOR));
   float near = (1.0 - u) / origin.w;
   float far = u / to.w;
   met.metres = view.reach * end * far / (near + far);
   met.seen = true;
-  bool surface = heightLow - heightHigh < 0.5 * gap || gap < 1e-6;
-  if (!surface) met.behind = max(1.0 / max(near + far, 1e-30) - depth, 0.0);
+  bool surface = heightLow - heightHigh < 0.5 * gap || gap < 1e-6; // of the view's reach: rounding
+  if (!surface) met.behind = max(1.0 / max(near + far, LEAST_DIVISOR) - depth, 0.0);
   return met;
 }
 

@@ -12,6 +12,7 @@
 #ifndef GG_REFRACTION_THIN_WALL_TABLE_GLSL
 #define GG_REFRACTION_THIN_WALL_TABLE_GLSL
 
+#include "bsdf/constants.glsl"
 #include "refraction/interface_table.glsl"
 
 const int THIN_WALL_COSINES = 25;
@@ -29,8 +30,8 @@ vec3 thinWallCoordinate(int lobe, int lobes, float cosTheta, float alpha, float 
 float thinWallWidth(float cosTheta, float alpha, float eta) {
   float c = clamp(cosTheta, 0.0, 1.0);
   float n = eta < 1.0 ? 1.0 / max(eta, 0.01) : eta;
-  float across = (n - 1.0) * (n + 1.0) / max(fresnelG(c, n) + c, 1e-30);
-  float width = 1.41421356 * alpha * across * inversesqrt(sqrt(c * c + max(alpha, 1e-12)));
+  float across = (n - 1.0) * (n + 1.0) / max(fresnelG(c, n) + c, LEAST_DIVISOR);
+  float width = 1.41421356 * alpha * across * inversesqrt(sqrt(c * c + max(alpha, LEAST_LENGTH2)));
   return width / (1.0 + 2.0 * width);
 }
 

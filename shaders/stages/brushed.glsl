@@ -2,13 +2,14 @@
 // Needs    stages/reflectance.glsl; included by stages/environment_light.glsl.
 // Source   environment/stretched_lobe.glsl; for --method standard the usual approximation: one lookup along the mirror direction of
 //          a normal that is bent about the brushing, at the width across it.
+#include "bsdf/constants.glsl"
 #include "environment/stretched_lobe.glsl"
 #include "stages/neighbour_groups.glsl"
 
 vec3 standardRadiance(Surface s) {
     vec3 bent = cross(cross(s.brush, s.wo), s.brush);
     float smoothness = 1.0 - sqrt(s.alpha);
-    float stretch = sqrt(max((s.along - s.alpha) / max(1.0 - s.alpha, 1e-3), 0.0)); // the strength
+    float stretch = sqrt(max((s.along - s.alpha) / max(1.0 - s.alpha, 1e-3), 0.0)); // the strength; of alpha 1 any
     float keep = 1.0 - stretch * (1.0 - smoothness);
     keep *= keep;
     keep *= keep;
@@ -39,5 +40,5 @@ vec3 brushedRadiance(Surface s, float edge) {
             addLobe(group, s, part.weight * lobe.weight, lobe.direction, sqrt(lobe.sigma * lobe.sigma + s.turn));
         }
     }
-    return groupRadiance(group, s) / max(group.weight, 1e-6);
+    return groupRadiance(group, s) / max(group.weight, LEAST_WEIGHT);
 }

@@ -2,6 +2,7 @@
 // Needs    stages/{environment_light,punctual_lights,importance}.glsl.
 // Returns  coated: radiance of base and coat; coatLeaves, coatRadiance: its parts.
 // Source   bsdf/clearcoat.glsl. The coat reflects like a lossless metal, times its share.
+#include "bsdf/constants.glsl"
 #include "bsdf/clearcoat.glsl"
 
 layout(binding = 40) uniform sampler2D clearcoatMap;
@@ -48,7 +49,7 @@ vec3 sampledCoat(Surface coat, int n) {
         sum += weight * reflectedRadiance(coat, basis * wi, sigma);
         weights += weight;
     }
-    return sum / max(weights, 1e-30);
+    return sum / max(weights, LEAST_DIVISOR);
 }
 
 // Of the environment: the lobe of a surface that reflects everything.

@@ -2,6 +2,7 @@
 // Why a Gaussian: point samples would lose or double a sun of one pixel. Every pixel is worth its solid angle times
 // a balance, which makes up for the crowding of pixels at the poles (app/environment/zonal.h).
 #version 450
+#include "bsdf/constants.glsl"
 #include "interface/environment_step.glsl"
 #include "stages/environment_weigh.glsl"
 #include "stages/half_float.glsl"
@@ -49,7 +50,7 @@ void main() {
         float weight = ring.z;
         vec2 across = vec2(sinTheta - rowSin, d.y - rowCos);
         // chord² = across² + 4 sin θ sin θ' sin²(Δφ/2). On the axis (sin θ = 0) every column is near enough.
-        float room = (cap * cap - dot(across, across)) / max(4.0 * sinTheta * rowSin, 1e-20);
+        float room = (cap * cap - dot(across, across)) / max(4.0 * sinTheta * rowSin, LEAST_DIVISOR);
         if (room <= 0.0) continue;
         // Δφ in columns, and 0.01 more than atan may be off. asin(x) <= x + (π/2 - 1) x³.
         float reach = 0.01 + sqrt(room) * (1.0 + 0.570797 * room) / PI * float(pixels.x);

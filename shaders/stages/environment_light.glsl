@@ -2,6 +2,7 @@
 // of the irradiance. Reflection: energy times the radiance in the lobe's direction at its width. Diffuse: glTF's base under it.
 // Needs    stages/reflectance.glsl, stages/surroundings.glsl.
 // Source   app/README.md, "The method"; environment/lobe_table.glsl; [KullaConty17] for --multiscatter.
+#include "bsdf/constants.glsl"
 #include "environment/lobe_table_fetch.glsl"
 
 layout(binding = 19) uniform sampler2D energyTable;
@@ -35,7 +36,7 @@ vec3 reflectedRadiance(Surface s, vec3 direction, float sigma) {
 // Two lobes as one of the same mean and variance (per axis half of the squared distances).
 ReflectionLobe mergedLobes(ReflectionLobe a, ReflectionLobe b) {
     ReflectionLobe merged = a;
-    float share = b.weight / max(a.weight + b.weight, 1e-30);
+    float share = b.weight / max(a.weight + b.weight, LEAST_DIVISOR);
     vec3 apart = b.direction - a.direction;
     merged.sigma = sqrt(mix(a.sigma * a.sigma, b.sigma * b.sigma, share) + 0.5 * share * (1.0 - share) * dot(apart, apart));
     merged.direction = normalize(a.direction + share * apart);
@@ -48,7 +49,7 @@ const bool mergesLobes = neighbourKinds != 0 && shading == 1 && lobeCount > 1;
 
 // A quarter of a step of 8 bits of all that the surface sends: of little light a little share is not seen.
 float leastShareOf(vec3 weight, vec3 all) {
-    return max(0.25 / max(meanOf(weight) / max(meanOf(all), 1e-6), LEAST_SHARE), 1.0) * LEAST_SHARE;
+    return max(0.25 / max(meanOf(weight) / max(meanOf(all), LEAST_WEIGHT), LEAST_SHARE), 1.0) * LEAST_SHARE;
 }
 
 // What the lobes bring, the first of which is given. weight: of it, in what the surface sends beside `base`.

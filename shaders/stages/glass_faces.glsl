@@ -2,6 +2,7 @@
 // Frame    world; directions unit. eta = n_far / n_near of the face in question.
 // Needs    stages/surface.glsl, interface/material.glsl.
 // Source   refraction/composition.glsl; Snell and Fresnel where nothing scatters.
+#include "bsdf/constants.glsl"
 #include "bsdf/transmission.glsl"
 #include "refraction/composition_fetch.glsl"
 
@@ -22,7 +23,7 @@ Widening widening() { return distribution == 0 ? wideningGgx(entryLobes) : widen
 ExitSurface exitBeside(ExitSurface s, vec3 direction, vec3 apart) {
     ExitSurface other = s;
     vec3 along = direction - dot(direction, s.n) * s.n;
-    vec3 t = along * inversesqrt(max(dot(along, along), 1e-12)); // along n every plane is the plane of incidence: no turn
+    vec3 t = along * inversesqrt(max(dot(along, along), LEAST_LENGTH2)); // along n every plane is the plane of incidence: no turn
     vec3 b = cross(s.n, t);
     other.n = normalize(s.n + s.turn.x * dot(apart, t) * t + s.turn.y * dot(apart, b) * b);
     return other;

@@ -6,6 +6,7 @@
 //          lobes    rgb weight of both together; w the number of the solid (stages/object.glsl), 0 where there is none
 //          far      rgb radiance that does not come from the picture, or comes by strata of a wide lobe; w the largest channel of
 //                   what the picture covers
+#include "bsdf/constants.glsl"
 #include "stages/glass_material.glsl"
 #include "stages/glass_look.glsl"
 
@@ -53,7 +54,7 @@ void writeFootprint() {
             }
             outFar += far;
             vec2 off = f.share > 0.0 ? f.at - vec2(picturePixel()) - 0.5 : vec2(0.0);
-            float shown = share * largest(w.weight) / max(largest(both), 1e-30);
+            float shown = share * largest(w.weight) / max(largest(both), LEAST_DIVISOR);
             if (m == 0) {
                 outOffsets.xy = off;
                 outSpots.xz = vec2(f.variance, shown);

@@ -5,6 +5,7 @@
 //          restOrigin, restShape: the other lobe, the same
 //          lobeWeight rgb of both together; w the share of the second
 // Needs    stages/weighted_lobes.glsl, refraction/exit_surface.glsl.
+#include "bsdf/constants.glsl"
 
 layout(binding = 39) uniform sampler2D endWithin; // stages/glass_within.glsl
 
@@ -16,7 +17,7 @@ vec4 packedShape(LobeRay lobe) { return vec4(octEncode(lobe.direction), lobe.sig
 
 vec4 packedWeight(WeightedLobe core, WeightedLobe rest) {
     vec3 both = core.weight + rest.weight;
-    return vec4(both, largest(rest.weight) / max(largest(both), 1e-30));
+    return vec4(both, largest(rest.weight) / max(largest(both), LEAST_DIVISOR));
 }
 
 // Offsets scale with the way inside: stored as if that were a metre.

@@ -1,10 +1,13 @@
 // glass_lookups.glsl: the radiance of the lobes of glass.
 // Needs    stages/weighted_lobes.glsl, stages/glass_faces.glsl, stages/punctual_lights.glsl.
 // Form     every lookup is made in one place: devices that run pixels in lockstep pay for all branches.
+#include "bsdf/constants.glsl"
 
 // Lobes below 4 % of the pixel's light (what clear glass reflects at normal incidence) are looked up in the environment, above 8 %
 // by ray march, in between by both. Glass that absorbs shows little but its reflection.
-float looked(vec3 weight, vec3 all) { return hasNeighbours ? smoothstep(0.04, 0.08, largest(weight / max(all, vec3(1e-6)))) : 0.0; }
+float looked(vec3 weight, vec3 all) {
+    return hasNeighbours ? smoothstep(0.04, 0.08, largest(weight / max(all, vec3(LEAST_WEIGHT)))) : 0.0;
+}
 
 // The mirror's: neighbours answer where they are known, as the picture shows their other side.
 float mirrored(vec3 weight, vec3 all) { return neighbourKinds == 0 ? looked(weight, all) : 0.0; }

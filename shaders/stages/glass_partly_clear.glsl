@@ -2,12 +2,13 @@
 // Needs    stages/weighted_lobes.glsl, stages/glass_far_face.glsl.
 // Source   app/README.md, "Bodies of glass": where a face is not clear it shows its base.
 // Limits   the base within is lit alike from all sides, and metal counts as if it were diffuse.
+#include "bsdf/constants.glsl"
 
 // Share of the light around the solid that its inner base sends: an integrating cavity. Its wall passes light by the clear share,
 // reflects by Fresnel's mean for diffuse light (at 60 degrees, within .005) and by its base.
 vec3 baseWithin(vec3 baseColor, float clear, float ior) {
     float leaves = clear * clamp((1.0 - fresnelDielectricAt(0.5, ior)) / (ior * ior), 0.0, 1.0);
-    return baseColor * leaves / max(vec3(1.0) - (1.0 - clear) * baseColor - vec3(clear - leaves), vec3(1e-6));
+    return baseColor * leaves / max(vec3(1.0) - (1.0 - clear) * baseColor - vec3(clear - leaves), vec3(LEAST_WEIGHT));
 }
 
 // Light that the lobes lose at partly opaque faces is replaced by the radiance of their base: at the first face, and, for

@@ -4,6 +4,7 @@
 // Needs    stages/environment_light.glsl.
 // Source   [ColbertKrivanek07]; sigma = 0.35 / sqrt(N pdf) for Gaussian levels. GGX facets whatever the distribution: Beckmann's
 //          and Phong's are weighted by the ratio of the D.
+#include "bsdf/constants.glsl"
 
 vec2 hammersley(int i, int n) {
     float inverse = float(bitfieldReverse(uint(i))) * exp2(-32.0); // radical inverse in base 2
@@ -47,7 +48,7 @@ vec3 sampledReflection(Surface s, int n) {
         sum += weight * reflectedRadiance(s, basis * wi, sigma);
         weights += weight;
     }
-    return sum / max(weights, vec3(1e-30));
+    return sum / max(weights, vec3(LEAST_DIVISOR));
 }
 
 vec3 sampledLight(Surface s, int n) {

@@ -3,6 +3,7 @@
 // the places where its lobes meet it.
 // Frame    world, metres; directions unit.
 // Needs    stages/neighbours.glsl.
+#include "bsdf/constants.glsl"
 
 // What all lobes of a group meet of one neighbour; all but `weight` are sums, times weight.
 struct GroupShare {
@@ -81,7 +82,7 @@ vec3 groupRadiance(LobeGroup g, Surface s) {
         met.direction = normalize(mean);
         met.sigma = sqrt(m.variance / m.weight + 0.5 * max(1.0 - dot(mean, mean), 0.0));
         met.distance = m.distance / m.weight;
-        met.n = normalize(m.n + 1e-6 * met.direction);
+        met.n = normalize(m.n + LEAST_LENGTH * met.direction);
         sum += m.weight * neighbourRadiance(o, s.position + met.distance * met.direction, -met.direction, met.n, spreadOf(o, met),
                                             1.0 - m.kept / m.weight);
         if (isGlass(o)) on = withPassed(on, o, met, s.position, vec3(m.weight));

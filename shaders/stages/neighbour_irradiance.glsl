@@ -1,8 +1,9 @@
 // neighbour_irradiance.glsl: irradiance past neighbours: the cosine lobe by form factors.
 // Frame    world, metres; directions unit.
 // Needs    stages/neighbours.glsl and stages/neighbour_shadows.glsl, which include it.
+#include "bsdf/constants.glsl"
 
-// Length of the cosine-weighted mean direction of a cap about n: 2/3 of 1 - cos³ over sin².
+// Length of the cosine-weighted mean direction of a cap about n: 2/3 of 1 - cos³ over sin²; where that is small 1 - sin²/4, nearly 1.
 float capMean(float sin2) {
     float cos2 = max(1.0 - sin2, 0.0);
     return sin2 > 1e-3 ? min((2.0 / 3.0) * (1.0 - cos2 * sqrt(cos2)) / sin2, 1.0) : 1.0;
@@ -20,7 +21,7 @@ struct CosineShare {
 
 CosineShare sphereCosineShare(NeighbourData o, vec3 centre, vec3 n) {
     CosineShare s;
-    float range = max(length(centre), 1e-6 * o.centre.w);
+    float range = max(length(centre), LEAST_LENGTH * o.centre.w);
     s.towards = centre / range;
     s.sin2 = min(o.centre.w * o.centre.w / (range * range), 1.0);
     s.share = sphereFormFactor(centre, o.centre.w, n) * smoothstep(0.8, 1.0, range / o.centre.w);
@@ -34,7 +35,7 @@ CosineShare rectangleCosineShare(NeighbourData o, vec3 centre, vec3 n) {
     CosineShare s;
     vec3 f = rectangleVector(centre, o.sideU.xyz, o.sideV.xyz);
     float size = length(f);
-    s.towards = f / max(size, 1e-30);
+    s.towards = f / max(size, LEAST_DIVISOR);
     s.sin2 = size;
     s.share = size > 0.0 && !isTurnedAway(o, centre) ? capFormFactor(dot(s.towards, n), size) : 0.0;
     s.n = normalize(cross(o.sideU.xyz, o.sideV.xyz));
@@ -93,7 +94,7 @@ vec3 surroundingIrradiance(vec3 p, vec3 n) {
     }
     vec3 sun = sunAcross(n);
     sum += c.passed * wideWithoutSun(meanOpening(mean, n));
-    if (glassAround) sum += through * wideWithoutSun(normalize(throughMean + 1e-6 * n));
+    if (glassAround) sum += through * wideWithoutSun(normalize(throughMean + LEAST_LENGTH * n));
     if (ofPixel(sun.y) > 0.0) sum += sun * passesNeighbours(p, frame.sunDirection.xyz, 1e30, frame.sunDirection.w);
     return sum;
 }

@@ -1,6 +1,7 @@
 // neighbour_lobes.glsl: radiance that arrives by a lobe past neighbours, and through those of glass.
 // Frame    world, metres; directions unit.
 // Needs    stages/neighbours.glsl, which includes it.
+#include "bsdf/constants.glsl"
 
 // The light that all glass neighbours of a lobe pass, as one lobe that leaves them.
 struct PassedOn {
@@ -67,7 +68,7 @@ OnwardLobe onwardLobe(PassedOn on, vec3 n) {
     OnwardLobe lobe;
     lobe.point = on.point / on.share;
     vec3 mean = on.direction / on.share; // shorter than 1 where directions differ
-    lobe.direction = normalize(mean + 1e-6 * n);
+    lobe.direction = normalize(mean + LEAST_LENGTH * n);
     lobe.sigma = sqrt(min(on.variance / on.share + max(1.0 - dot(mean, mean), 0.0), 1.0));
     return lobe;
 }

@@ -1,11 +1,12 @@
 // neighbour_shadows.glsl: the transmittance of neighbours for a lamp's or a sun's light.
 // Frame    world, metres; directions unit.
 // Needs    stages/neighbours.glsl, which includes it.
+#include "bsdf/constants.glsl"
 
 // A ball of glass is a lens: parallel light converges about its axis at a focal length of ior / (2 (ior - 1)) radii from its
 // centre, and diverges again. Irradiance at a point at `centre` from the ball's, over that without the ball.
 float ballGathers(vec3 centre, float radius, vec3 wi, float ior, float alpha) {
-    float focal = ior * radius / max(2.0 * (ior - 1.0), 1e-2);
+    float focal = ior * radius / max(2.0 * (ior - 1.0), 1e-2); // IOR within .005 of 1 does not focus
     float x = dot(centre, wi);
     float paraxial = radius * (x - focal) / focal;
     float rough = 1.5 * alpha * x;

@@ -110,8 +110,8 @@ vec3 irradianceOf(vec3 p, vec3 n, float lit) {
             towards = normalize(c);
         } else {
             vec3 f = rectangleVector(c, ownBody().sideU.xyz, ownBody().sideV.xyz);
-            share = capFormFactor(dot(f, n) / max(length(f), 1e-6), length(f));
-            towards = f / max(length(f), 1e-6);
+            share = capFormFactor(dot(f, n) / max(length(f), LEAST_LENGTH), length(f));
+            towards = f / max(length(f), LEAST_LENGTH);
         }
         open = meanOpening((2.0 / 3.0) * n - share * towards, n); // the body as a narrow cap
         around = share * lit * ownRadiance(towards);
@@ -125,7 +125,7 @@ vec3 irradianceOf(vec3 p, vec3 n, float lit) {
 
 // Width of the part that a neighbour takes of a lobe: the product of two Gaussians, the lobe and what it meets.
 float partSigma(LobeShare met, float sigma) {
-    return met.sigma * sigma * inversesqrt(max(met.sigma * met.sigma + sigma * sigma, 1e-12));
+    return met.sigma * sigma * inversesqrt(max(met.sigma * met.sigma + sigma * sigma, LEAST_LENGTH2));
 }
 
 // The environment by what is left of a lobe of which `passed` is not taken: all of it without the hidden parts, and of a lobe that

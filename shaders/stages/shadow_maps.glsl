@@ -5,6 +5,8 @@
 //          three texels are about one pixel and a half. Each texel is compared with the depth of the surface's own plane there, so
 //          that a plane never shadows itself and shadows begin where things touch.
 // Limits   a place in front of some glass and behind other is tinted by both.
+#include "bsdf/constants.glsl"
+
 layout(binding = 48) uniform sampler2DArray shadowDepth;
 layout(binding = 49) uniform sampler2DArray shadowGlassDepth;
 layout(binding = 50) uniform sampler2DArray shadowTint;
@@ -43,10 +45,10 @@ MapPlace placeOnMap(int layer, vec3 p, vec3 n, vec3 wi) {
     vec3 facing = n;
     if (c < STEEPEST) {
         vec3 level = n - c * wi;
-        facing = STEEPEST * wi + sqrt(1.0 - STEEPEST * STEEPEST) * level * inversesqrt(max(dot(level, level), 1e-12));
+        facing = STEEPEST * wi + sqrt(1.0 - STEEPEST * STEEPEST) * level * inversesqrt(max(dot(level, level), LEAST_LENGTH2));
     }
     clip = view.clipFromWorld * vec4(raised, 1.0);
-    vec3 at = clip.xyz / max(clip.w, 1e-20);
+    vec3 at = clip.xyz / max(clip.w, LEAST_DIVISOR);
     // A plane stays one in clip coordinates.
     vec4 plane = vec4(facing, -dot(facing, raised)) * view.worldFromClip;
     float size = view.texel.y;

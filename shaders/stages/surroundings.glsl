@@ -155,7 +155,7 @@ float foreshorteningAt(vec2 at, vec3 direction) {
     // For a grazing lobe the footprint on the surface has no bound; past a factor of 16 the environment is looked up.
     float seen = abs(dot(n, view));
     float met = abs(dot(n, direction));
-    return clamp(seen / max(met, 1e-30), 1.0 / 16.0, 16.0);
+    return clamp(seen / max(met, LEAST_DIVISOR), 1.0 / 16.0, 16.0);
 }
 
 // Fixed-point steps: the depth that was read is taken for a plane across the view, and read again where the lobe mean intersects
@@ -186,7 +186,7 @@ Intersection guessIntersection(vec4 from, vec4 along) {
 float wayOnPicture(vec4 from, vec4 way) {
     vec4 room = max(vec4(from.w - from.x, from.w + from.x, from.w - from.y, from.w + from.y), vec4(0.0));
     vec4 loss = vec4(way.x - way.w, -way.x - way.w, way.y - way.w, -way.y - way.w);
-    vec4 cut = min(room / max(max(loss, room), vec4(1e-30)), vec4(1.0)); // 1 where nothing is cut
+    vec4 cut = min(room / max(max(loss, room), vec4(LEAST_DIVISOR)), vec4(1.0)); // 1 where nothing is cut
     float end = min(min(cut.x, cut.y), min(cut.z, cut.w));
     return min(end, 0.99 * from.w / max(-way.w, 0.99 * from.w));
 }
@@ -229,7 +229,7 @@ Intersection stepToIntersection(vec4 from, vec4 along, float most) {
             // At a surface the heights converge to 0. At an edge they do not: the ray went behind something nearer.
             bool given = secant > INTERSECTION_SECANTS;
             met.seen = rest < 0.02 * gap || (given && rest < 0.1 * gap);
-            met.distance = most * end * wayAlong(mix(low, high, heightLow / max(heightLow - heightHigh, 1e-30)), from.w, to.w);
+            met.distance = most * end * wayAlong(mix(low, high, heightLow / max(heightLow - heightHigh, LEAST_DIVISOR)), from.w, to.w);
             hidden = given ? low : hidden;
             secant = given ? 0 : secant;
         } else {
@@ -265,7 +265,7 @@ Intersection stepToIntersection(vec4 from, vec4 along, float most) {
 
 // How much of a Gaussian about x falls between -1 and 1.
 float betweenEdges(float x, float sigma) {
-    float inverse = 1.0 / max(sigma, 1e-6); // as sharp as floats know a place
+    float inverse = 1.0 / max(sigma, LEAST_LENGTH); // as sharp as floats know a place
     return max(normalIntegral((1.0 - x) * inverse) - normalIntegral((-1.0 - x) * inverse), 0.0);
 }
 
@@ -285,7 +285,7 @@ vec2 meetWalls(vec3 origin, vec3 direction, float sigma) {
         if (starts || !(met > 0.0 && met < 1e30)) continue;
         vec3 off = met * direction - apart;
         // The spot's mean width on the wall: 1 / cosine longer along the lobe.
-        float width = met * sigma * inversesqrt(max(abs(towards) * inversesqrt(dot(n, n)), 1e-6));
+        float width = met * sigma * inversesqrt(max(abs(towards) * inversesqrt(dot(n, n)), LEAST_LENGTH));
         float share = betweenEdges(dot(off, u), width * length(u)) * betweenEdges(dot(off, v), width * length(v));
         if (share > most.x) most = vec2(share, met);
     }
@@ -306,7 +306,7 @@ Intersection intersectScene(vec3 origin, vec3 direction, float sigma, bool guess
         if (wall.x > 0.004) { // a step of 8 bits
 
             // A point behind the camera has no position on the picture: the ray leaves the picture on the way there.
-            met.distance = min(wall.y, 0.99 * from.w / max(-along.w, 1e-30));
+            met.distance = min(wall.y, 0.99 * from.w / max(-along.w, LEAST_DIVISOR));
             met.seen = true;
             met.wall = wall.x;
         }
@@ -356,7 +356,7 @@ Footprint footprintOf(LobeRay lobe, Intersection intersection) {
     // highlight: it is read two sigma back along the ray, at most where the ray begins.
     if (intersection.hidden) {
         vec2 back = intersection.from - at;
-        at += back * min(4.0 * pixels * pixels / max(dot(back, back), 1e-6), 1.0); // a thousandth of a pixel is no way
+        at += back * min(4.0 * pixels * pixels / max(dot(back, back), LEAST_LENGTH), 1.0); // a thousandth of a pixel is no way
     }
     // Off the picture the sky comes from the environment. Surfaces are extended from the border, ever more blurred, and fade over
     // the picture's height; planar proxies do not fade.

@@ -2,6 +2,7 @@
 // Frame    world, metres; directions unit.
 // Needs    stages/weighted_lobes.glsl, stages/glass_faces.glsl.
 // Source   refraction/thin_wall_table.glsl: all orders of reflection between the two faces.
+#include "bsdf/constants.glsl"
 #include "refraction/thin_wall_table_fetch.glsl"
 
 layout(binding = 29) uniform sampler3D wallEnergyTable;
@@ -58,7 +59,7 @@ ThinWall throughThinWall(Surface s, float ior) {
 // The reflection lobes, with those from within the wall: the same directions, wider.
 MirrorLobes withReflectedLater(MirrorLobes mirror, vec3 later, float ior) {
     vec3 before = mirror.core.weight + mirror.rest.weight;
-    vec3 more = 1.0 + later / max(before, vec3(1e-30));
+    vec3 more = 1.0 + later / max(before, vec3(LEAST_DIVISOR));
     float share = 1.0 - 1.0 / largest(more);
     float wider = sqrt(mix(1.0, thinWallLaterSpread(ior) * thinWallLaterSpread(ior), share));
     MirrorLobes both = mirror;

@@ -1,6 +1,7 @@
 // weighted_lobes.glsl: lobes of glass and their weights.
 // Frame    world, metres; directions unit.
 // Needs    stages/surface.glsl, stages/surroundings.glsl, stages/environment_light.glsl.
+#include "bsdf/constants.glsl"
 #include "refraction/composition_fetch.glsl"
 
 struct WeightedLobe {
@@ -94,6 +95,6 @@ vec3 aroundMirror(MirrorLobes mirror, vec3 all) {
         weight += mirror.rest.weight;
     }
     float sigma = sqrt(lobe.sigma * lobe.sigma + mirror.core.lobe.turn);
-    return weight * surroundingRadiance(mirror.core.lobe.origin, mirror.n, lobe.direction, sigma, far / max(weight, vec3(1e-6)),
+    return weight * surroundingRadiance(mirror.core.lobe.origin, mirror.n, lobe.direction, sigma, far / max(weight, vec3(LEAST_WEIGHT)),
                                         leastShareOf(weight, all));
 }
