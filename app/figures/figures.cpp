@@ -146,6 +146,7 @@ void distributions(Canvas& canvas) {
       linear.curves.push_back({label, shape.color, dash, over_degrees(60.0, d)});
       tails.curves.push_back({label, shape.color, dash, over_degrees(90.0, [=](double x) {
                                 const double value = d(x);
+                                // Below the axis of the plot, which ends at a millionth.
                                 return value > 1e-6 ? std::log10(value)
                                                     : std::numeric_limits<double>::quiet_NaN();
                               })});

@@ -101,6 +101,7 @@ glm::vec3 absorbed(const Material& m, float metres) {
   if (!(m.thickness > 0.0f) || !std::isfinite(m.attenuation_distance)
       || !(m.attenuation_distance > 0.0f))
     return glm::vec3(1.0f);
+  // Black has no logarithm: a millionth a distance is black as far as 8 bits show.
   return glm::pow(glm::max(m.attenuation_color, glm::vec3(1e-6f)),
                   glm::vec3(metres / m.attenuation_distance));
 }

@@ -106,6 +106,7 @@ struct BoxFaces {
 
 BoxFaces box_faces(const Triangles& triangles, const glm::dvec3& low, const glm::dvec3& high) {
   BoxFaces faces;
+  // A flat body has no extent along an axis; its vertices lie on the face nevertheless.
   const glm::dvec3 close = flat_below * (high - low) + 1e-12;
   for (std::size_t t = 0; t < triangles.count(); ++t) {
     const glm::dvec3 across = triangles.across(t);

@@ -105,6 +105,7 @@ double near_plane(const glm::dvec3& eye, const glm::dvec3& axis, const Boxes& ca
   for (const scene::Bounds& box : casters)
     for (unsigned i = 0; i < 8; ++i)
       nearest = std::min(nearest, glm::dot(axis, corner_of(box, i) - eye));
+  // Float depth keeps three digits at the far end of a range of ten thousand.
   return std::max(0.9 * nearest, 1e-4 * farthest);
 }
 
@@ -115,6 +116,7 @@ std::vector<ShadowView> views_of(const scene::Light& light, const Boxes& casters
   all.include(lit.low);
   all.include(lit.high);
   const glm::dvec3 centre(all.centre());
+  // A point has some extent: the view must not be singular.
   const double radius = std::max(static_cast<double>(all.radius()), 1e-6);
   if (light.kind == scene::LightKind::directional) {
     const glm::dvec3 direction = glm::normalize(glm::dvec3(light.direction));
@@ -137,6 +139,7 @@ std::vector<ShadowView> views_of(const scene::Light& light, const Boxes& casters
   };
   const double outer = static_cast<double>(light.outer_cone);
   if (light.kind == scene::LightKind::spot && outer < widest_cone) {
+    // A milliradian more than the cone: two texels of the largest map, so that its rim is inside.
     ShadowView view = looking(glm::normalize(glm::dvec3(light.direction)), outer + 1e-3);
     if (!crop(view, casters, receivers, size)) return {};
     return {view};
@@ -145,6 +148,7 @@ std::vector<ShadowView> views_of(const scene::Light& light, const Boxes& casters
   const glm::dvec3 to = glm::dvec3(cast.centre()) - eye;
   const double away = glm::length(to), reach = static_cast<double>(cast.radius());
   if (reach < std::sin(widest_cone) * away) {
+    // The same here.
     ShadowView view = looking(to / away, std::asin(reach / away) + 1e-3);
     if (!crop(view, casters, receivers, size)) return {};
     return {view};

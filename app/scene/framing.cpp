@@ -41,9 +41,11 @@ void fit_depth(Camera& camera, const Scene& scene) {
   const float radius = bounds.radius();
   const glm::vec3 eye = camera.world[3], forward = -glm::vec3(camera.world[2]);
   const float depth = glm::dot(bounds.centre() - eye, forward);
+  // From within the bounds: a thousandth of them, which float depth resolves (a ratio of about 4,000).
   camera.near = std::max(depth - margin * radius, 1e-3f * radius);
   constexpr float room = 0.9f; // for rounding, here and where vertices are transformed
   if (const float clear = clear_depth(scene, camera, camera.near); clear < camera.near)
+    // Nearer than a millionth of the scene vertices are rounded in float32.
     camera.near = std::max(room * clear, 1e-6f * radius);
   camera.far = std::max(depth + margin * radius, 2.0f * camera.near);
 }

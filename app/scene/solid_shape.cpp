@@ -125,6 +125,7 @@ bool is_planar(const WeldedMesh& mesh) {
     if (glm::dot(n, n) > glm::dot(normal, normal)) normal = n, through = from;
   }
   const double length = glm::length(normal);
+  // Flat to a hundred-thousandth of its size: float32 vertices of a turned plane are within a tenth of that.
   return length > 0.0 && std::ranges::all_of(mesh.points, [&](const glm::dvec3& p) {
            return std::abs(glm::dot(p - through, normal)) <= 1e-5 * mesh.size * length;
          });

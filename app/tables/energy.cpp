@@ -114,11 +114,13 @@ EnergyCell fit_energy(const Model& model, double alpha, double cos_theta, int co
                std::min(angles.mean() + angles.deviation(), 1.0), 0.5};
   std::vector<double> r = residuals(p, exact);
   double least = sum_of_squares(r);
+  // Levenberg-Marquardt: a mild start; it is lowered at each success and raised at each failure.
   double damping = 1e-2;
   for (int iteration = 0; iteration < 100 && damping < 1e6; ++iteration) {
     std::array<std::vector<double>, 3> slope;
     for (std::size_t a = 0; a < 3; ++a) {
       Parameters q = p;
+      // Inwards from the ends; far above what rounding adds, far below what residuals bend over.
       const double h = q[a] > 0.5 ? -1e-5 : 1e-5;
       q[a] += h;
       slope[a] = residuals(q, exact);
@@ -132,6 +134,7 @@ EnergyCell fit_energy(const Model& model, double alpha, double cos_theta, int co
     std::vector<double> trial = residuals(q, exact);
     const double error = sum_of_squares(trial);
     if (error < least) {
+      // A millionth less error is none.
       const bool done = least - error < 1e-6 * least;
       p = q;
       r = std::move(trial);

@@ -108,6 +108,7 @@ PixelSum FitViews::pixels(const std::vector<LobeSample>& lobe, const std::vector
     const double azimuth = std::atan2(std::abs(d.y), glm::dot(d, along));
     const double seen = std::min(lens.magnification * angle, pi);
     // Solid angles grow by the lens in both directions.
+    // On the axis sin / sin is the magnification.
     const double growth = angle > 1e-9
                               ? lens.magnification * std::sin(std::min(seen, 3.0)) / std::sin(angle)
                               : lens.magnification * lens.magnification;

@@ -185,6 +185,7 @@ void solve(std::array<std::array<double, most_parameters>, most_parameters>& m, 
       double sum = m[i][j];
       for (std::size_t k = 0; k < j; ++k)
         sum -= m[i][k] * m[j][k];
+      // A pivot that rounding has made negative: what double keeps of a sum of squares of about 1 is 1e-16.
       m[i][j] = i == j ? std::sqrt(std::max(sum, 1e-14)) : sum / m[j][j];
     }
     for (std::size_t k = 0; k < i; ++k)
@@ -236,6 +237,7 @@ FitResult fit(const FitViews& views, const FitTarget& target, const GaussianSum&
   std::vector<Rows> columns;
   double error = problem.residuals(p, r);
   double cost = error + (pulled ? pull * distance(p, home, n) : 0.0);
+  // Levenberg-Marquardt: a mild start; it is lowered at each success and raised at each failure.
   double damping = 1e-2;
   for (int iteration = 0; iteration < iterations && damping < 1e5; ++iteration) {
     if (iteration > 0) problem.residuals(p, r); // a refused step has moved the reads
@@ -254,6 +256,7 @@ FitResult fit(const FitViews& views, const FitTarget& target, const GaussianSum&
     while (!better && damping < 1e5) {
       auto m = normal;
       for (std::size_t i = 0; i < n; ++i)
+        // A parameter without effect stays where it is.
         m[i][i] += damping * normal[i][i] + 1e-9;
       Parameters step = slope;
       solve(m, step, n);
@@ -265,6 +268,7 @@ FitResult fit(const FitViews& views, const FitTarget& target, const GaussianSum&
       const double trial_cost = trial_error + (pulled ? pull * distance(q, home, n) : 0.0);
       better = trial_cost < cost;
       if (better) {
+        // A thousandth less error is less than another start of the search changes.
         done = cost - trial_cost < 1e-3 * cost;
         cost = trial_cost;
         error = trial_error;

@@ -143,6 +143,7 @@ SphereStack::SphereStack(SphereMap map) {
     for (int y = 0; y < map.size; ++y)
       for (int x = 0; x < map.size; ++x) {
         const double weight = f32::cubeTexelSolidAngle(x, y, map.size);
+        // A black texel has no logarithm: a millionth of the maps' unit of radiance.
         log_sum += weight * std::log(std::max(map.at(face, x, y), 1e-6f));
         area += weight;
       }

@@ -77,6 +77,7 @@ WallLight through_wall(const Model& model, double alpha, double cos_theta, doubl
     }
   }
   const LobeShape shape = shape_of(light.directions);
+  // A lobe without width is a direction: some area, the same for all its samples.
   const double area = std::numbers::pi * std::pow(1.5 * std::max(shape.width, 1e-9), 2.0);
   for (LobeSample& s : light.directions)
     s.density = static_cast<double>(light.directions.size()) / area;

@@ -80,6 +80,7 @@ bool render(const Integrator& integrator, const Camera& camera, const RenderDesc
         [&] { return add_pass(integrator, camera, desc.seed, count, next, watch.stop); });
     if (!complete) return false;
     const double seconds = seconds_since(start);
+    // A pass shorter than the clock's step.
     samples_a_second = std::min(static_cast<double>(count) / std::max(seconds, 1e-6), 1e9);
     film = std::move(next);
     error = film.relative_error();

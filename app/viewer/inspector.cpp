@@ -175,6 +175,7 @@ std::optional<Inspection> inspect(const scene::Scene& scene, const Ray& ray, nee
   found.brushed = seen.brushing.has_value();
   found.mixed = !material.conductor && seen.metallic > 0.0 && seen.metallic < 1.0;
   const double alpha = std::max(found.alpha, least_alpha);
+  // The horizon itself has no plot.
   const double cosine = std::clamp(glm::dot(seen.n, -direction), 1e-3, 1.0);
   found.incidence = std::acos(cosine);
   const Reflector reflects = reflector_of(seen);

@@ -85,6 +85,7 @@ public:
                          "%.4g"))
       set("thickness", fmt::format("{}", std::max(thickness, 0.0f)));
     color("absorption", "attenuation_color", glm::vec4(shown_.attenuation_color, 1.0f));
+    // A point is as large as a micrometre.
     const float radius = std::max(session_.scene->bounds.radius(), 1e-6f);
     float distance =
         std::isfinite(shown_.attenuation_distance) ? shown_.attenuation_distance : 100.0f * radius;

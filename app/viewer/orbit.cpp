@@ -45,6 +45,7 @@ Place place_of(const scene::Camera& camera, const scene::Bounds& bounds) {
               .ortho = camera.orthographic ? 2.0f * camera.magnification.y : 0.0f};
   // Level cameras turn about the vertical; tilted ones about their own up.
   const glm::vec3 right = camera.world[0];
+  // Level to a milliradian, less than a pixel over the width of a window; not when it looks straight up or down.
   const bool level = std::abs(right.y) < 1e-3f && up.y > 0.0f && std::abs(forward.y) < 0.999f;
   place.up = level ? glm::vec3(0.0f, 1.0f, 0.0f) : up;
   return place;
@@ -72,6 +73,7 @@ void pan(Place& place, const glm::vec2& heights) {
 
 void dolly(Place& place, float factor, const glm::vec2& cursor, float radius) {
   const float distance = glm::length(place.eye - place.target);
+  // From within a surface's detail to where the scene is less than a pixel.
   const float wanted = std::clamp(distance * factor, 1e-4f * radius, 1e4f * radius);
   const float real = wanted / distance;
   const Axes axes = axes_of(place);
@@ -96,6 +98,7 @@ void set_orthographic(Place& place, bool on) {
 void frame(Place& place, const scene::Bounds& bounds, float aspect) {
   if (bounds.empty()) return;
   const Axes axes = axes_of(place);
+  // A point is framed as if it were a micrometre.
   const float radius = std::max(bounds.radius(), 1e-6f);
   // The sphere around the bounds fits the narrower angle.
   const float half = 0.5f * glm::radians(place.fovy);

@@ -65,6 +65,7 @@ std::optional<Lobe> Sight::Tracer::lobe(const truth::Hit& hit, const glm::dvec3&
   const double eta = static_cast<double>(m.ior);
   glm::dvec3 normal = hit.normal;
   if (glm::dot(normal, direction) > 0.0) normal = -normal;
+  // Grazing lines of sight: the tables' first node is no nearer to the horizon.
   const double cosine = std::clamp(-glm::dot(normal, direction), 1e-3, 1.0);
   const double alpha = static_cast<double>(scene::microfacet_alpha(m));
   double sigma = 0.0;

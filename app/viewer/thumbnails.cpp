@@ -39,6 +39,7 @@ std::vector<unsigned char> shrunk(const image::Image& map) {
       grey.push_back((sum[0] + sum[1] + sum[2]) / 3.0f);
     }
   std::ranges::nth_element(grey, grey.begin() + static_cast<std::ptrdiff_t>(grey.size() / 2));
+  // A black map stays black.
   const float median = std::max(grey[grey.size() / 2], 1e-6f);
   std::vector<unsigned char> rgba;
   for (const std::array<float, 3>& mean : means) {
