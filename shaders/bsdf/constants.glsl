@@ -18,7 +18,8 @@ const float LEAST_LENGTH = 1e-6;
 const float LEAST_LENGTH2 = 1e-12; // its square
 // Shares of a pixel's light that are smaller are lost when they are added to the rest in float32.
 const float LEAST_WEIGHT = 1e-6;
-// A direction is not nearer to the horizon than a hundredth of a degree: interpolated normals are not known better.
+// A direction is not nearer to the horizon than a hundredth of a degree: interpolated normals are not known better, and
+// a ball shows 1e-8 of its disc there.
 const float LEAST_COSINE = 1e-4;
 
 #endif

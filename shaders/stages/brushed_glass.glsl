@@ -6,10 +6,9 @@
 // Source   environment/stretched_lobe.glsl, drawn in place of summed.
 // Limits   a picture of one or two samples per pixel, `--method standard` and walls of no thickness have one lobe of the same
 //          variance of slopes: nearer the truth than one of the width across on four of five models (tests/README.md).
+#include "bsdf/constants.glsl"
 #include "environment/stretched_lobe.glsl"
 
-// Of wo to the normal, below which the share of facets is that at this cosine: a rim of 1e-8 of a ball's disc.
-const float LEAST_COSINE = 1e-4;
 // Of the brushing's part in the far face, squared: nearer than .06 degrees to its normal, brushing has no direction there that
 // survives the rounding of normals in the interior buffer.
 const float LEAST_ALONG2 = 1e-6;
