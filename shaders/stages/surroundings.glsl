@@ -394,7 +394,7 @@ const float WIDE_TO = 3.0;
 float wideShare(LobeRay lobe, Intersection intersection) {
     if (!hasFewSamples() || (lobe.sigma * frame.picture.z < WIDE_FROM && ofPixel(frame.eye.w) > 0.0)) return 0.0;
     // Over the glass, in pixels: where a face turns so fast its lobes differ more from pixel to pixel than they are wide.
-    float onGlass = lobe.sigma * sqrt(frame.part.w / max(lobe.turn, 1e-12));
+    float onGlass = lobe.sigma * sqrt(frame.part.w / max(lobe.turn, LEAST_LENGTH2));
     lobe.turn = 0.0; // what the pixel adds is no part of the lobe
     Footprint f = footprintOf(lobe, intersection);
     float sigma = f.share > 0.0 ? sqrt(f.variance - f.outside) : lobe.sigma * frame.picture.z;
@@ -408,6 +408,6 @@ float inverseDistance(Intersection intersection) { return intersection.distance 
 const float ONE_PLANE = 0.005;
 const float TWO_THINGS = 0.02;
 float apartShare(vec2 pairs, float mean) {
-    vec2 apart = abs(0.5 * pairs - mean) / max(max(0.5 * pairs, vec2(mean)), vec2(1e-30));
+    vec2 apart = abs(0.5 * pairs - mean) / max(max(0.5 * pairs, vec2(mean)), vec2(LEAST_DIVISOR));
     return smoothstep(ONE_PLANE, TWO_THINGS, max(apart.x, apart.y));
 }
