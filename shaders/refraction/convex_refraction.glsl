@@ -13,53 +13,9 @@
 
 #include "bsdf/transmission.glsl"
 #include "refraction/convex_body.glsl"
+#include "refraction/face_lobes.glsl"
 #include "refraction/glass_reflection.glsl"
 #include "refraction/internal_scattering.glsl"
-
-// Both of the tables' lobes, which differ in the block of the table that they are read from. A smooth face has one direction, Snell's.
-struct FaceLobes {
-  InterfaceLobe core;
-  InterfaceLobe tail;
-};
-
-FaceLobes engineFaceLobes(float cosTheta, float alpha, float eta) {
-  vec4 core = vec4(0.0, 0.0, 1.0, 0.0);
-  vec4 tail = vec4(0.0);
-  if (alpha >= SMOOTH_ALPHA) {
-    vec3 at = interfaceLobeCoordinate(0, 2, cosTheta, alpha, eta);
-    core = engineInterfaceLobe(at);
-    tail = engineInterfaceLobe(at + vec3(0.0, 0.5, 0.0));
-  }
-  FaceLobes lobes;
-  lobes.core = interfaceLobe(core, cosTheta, alpha, eta);
-  lobes.tail = interfaceLobe(tail, cosTheta, alpha, eta);
-  return lobes;
-}
-
-InnerLobe engineEnteringLobe(InterfaceLobe read, GlassFace face, float ior, float energy) {
-  InnerLobe inner;
-  bool matched = abs(ior - 1.0) < INDEX_MATCHED;
-  inner.direction = matched ? -face.wo : interfaceLobeDirection(face.wo, face.n, read.angle);
-  inner.sigma = matched ? 0.0 : read.sigma;
-  inner.weight = read.weight * (matched ? 1.0 : energy);
-  return inner;
-}
-
-ComposedPair engineLeavingPair(InnerLobe inner, bool core, ExitSurface s, Widening k) {
-  ExitView view = seeExit(inner, core, s, k);
-  float cosTheta = max(view.cosTheta, 0.0);
-  float energy = abs(s.eta - 1.0) < INDEX_MATCHED ? 1.0 : engineFaceEnergy(cosTheta, view.alphaEnergy, s.eta).transmitted;
-  FaceLobes lobes = engineFaceLobes(cosTheta, view.alphaShape, s.eta);
-  if (view.alphaShape < SMOOTH_ALPHA) {
-    ComposedPair one;
-    one.core = composeLobe(inner, view, s, lobes.core.angle, lobes.core.sigma, 1.0, energy);
-    one.rest = one.core;
-    one.rest.weight = 0.0;
-    return one;
-  }
-  return composedPair(composeLobe(inner, view, s, lobes.core.angle, lobes.core.sigma, lobes.core.weight, energy),
-                      composeLobe(inner, view, s, lobes.tail.angle, lobes.tail.sigma, lobes.tail.weight, energy), view);
-}
 
 // What the exit reflects inside leaves a convex body by its near face, again and again: a geometric series. Nothing leaves a face
 // wider than a diffuse one sends light, 0.606 radians per axis. It comes from where the camera does not look: a part of the

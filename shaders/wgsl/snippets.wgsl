@@ -1,4 +1,4 @@
-// Made by shaders/wgsl/make of 9f5b1b51525f491ecd9c0d2edb63d4bd06bb866e6dab444cabd37690a170f507: do not edit.
+// Made by shaders/wgsl/make of 2a022f04842fadad66223010478501b333da9741794568324bcd42fcf82e76d2: do not edit.
 struct Tilt {
     p: f32,
     z: f32,
@@ -129,47 +129,6 @@ struct ProxyLobe {
     albedo: f32,
 }
 
-struct ExitSurface {
-    n: vec3<f32>,
-    alpha: f32,
-    eta: f32,
-    turn: vec2<f32>,
-}
-
-struct InnerLobe {
-    direction: vec3<f32>,
-    sigma: f32,
-    weight: f32,
-}
-
-struct Widening {
-    shape: f32,
-    shapeRays: f32,
-    energyCore: f32,
-    energyTail: f32,
-}
-
-struct ExitView {
-    cosTheta: f32,
-    alphaShape: f32,
-    alphaEnergy: f32,
-    own: f32,
-    swing: f32,
-}
-
-struct ConvexBody {
-    ior: f32,
-    backAlpha: f32,
-    thickness: f32,
-    curvature: f32,
-    attenuation: vec3<f32>,
-}
-
-struct ConvexExit {
-    surface: ExitSurface,
-    path: f32,
-}
-
 struct InteriorView {
     clipFromWorld: mat4x4<f32>,
     worldFromClip: mat4x4<f32>,
@@ -218,15 +177,56 @@ struct BackFace {
     exists: bool,
 }
 
+struct PixelSteps {
+    right: vec3<f32>,
+    down: vec3<f32>,
+}
+
+struct ExitSurface {
+    n: vec3<f32>,
+    alpha: f32,
+    eta: f32,
+    turn: vec2<f32>,
+}
+
+struct InnerLobe {
+    direction: vec3<f32>,
+    sigma: f32,
+    weight: f32,
+}
+
+struct Widening {
+    shape: f32,
+    shapeRays: f32,
+    energyCore: f32,
+    energyTail: f32,
+}
+
+struct ExitView {
+    cosTheta: f32,
+    alphaShape: f32,
+    alphaEnergy: f32,
+    own: f32,
+    swing: f32,
+}
+
+struct ConvexBody {
+    ior: f32,
+    backAlpha: f32,
+    thickness: f32,
+    curvature: f32,
+    attenuation: vec3<f32>,
+}
+
+struct ConvexExit {
+    surface: ExitSurface,
+    path: f32,
+}
+
 struct BackFaceExit {
     exit: ConvexExit,
     number: f32,
     found: bool,
-}
-
-struct PixelSteps {
-    right: vec3<f32>,
-    down: vec3<f32>,
 }
 
 struct ComposedLobe {
@@ -261,6 +261,11 @@ struct GlassFace {
     turn: f32,
 }
 
+struct FaceLobes {
+    core: InterfaceLobe,
+    tail: InterfaceLobe,
+}
+
 struct InternalScattering {
     passes: f32,
     back: f32,
@@ -271,11 +276,6 @@ struct InternalScatteringLoss {
     constant: f32,
     thin: f32,
     passes: f32,
-}
-
-struct FaceLobes {
-    core: InterfaceLobe,
-    tail: InterfaceLobe,
 }
 
 struct Entering {
@@ -344,8 +344,6 @@ const LOBE_TABLE_SLICES: i32 = 5i;
 const STRETCHED_ACROSS: f32 = 0.55f;
 const STRETCHED_ALONG: f32 = 0.03f;
 const LEAST_LOBE: f32 = 0.01f;
-const LEAST_SWING: f32 = 0.05f;
-const LEAVES_NEXT: f32 = 0.65f;
 const EXIT_NOWHERE: f32 = -2f;
 const EXIT_FAR: f32 = 1000000000000000000000000000000f;
 const EXIT_STEPS: i32 = 12i;
@@ -355,6 +353,8 @@ const SCENE_SECANTS: i32 = 5i;
 const BACK_FACES: i32 = 0i;
 const SECOND_FRONTS: i32 = 1i;
 const SECOND_BACKS: i32 = 2i;
+const LEAST_SWING: f32 = 0.05f;
+const LEAVES_NEXT: f32 = 0.65f;
 const BACK_FACE_STEPS: i32 = 6i;
 const INDEX_MATCHED: f32 = 0.0001f;
 const COMPOSED_WIDEST: f32 = 0.3f;
@@ -5856,349 +5856,48 @@ fn proxyFresnel(f0_8: vec3<f32>, f90_: f32, cosTheta_34: f32, alpha_90: f32) -> 
     return (_e46 + ((vec3(_e47) - _e49) * ((_e51 * _e52) * _e54)));
 }
 
-fn wideningGgx(lobes_2: i32) -> Widening {
-    var lobes_3: i32;
-    var k_16: Widening;
-    var local_60: f32;
-    var local_61: f32;
-    var local_62: f32;
-
-    lobes_3 = lobes_2;
-    let _e25 = lobes_3;
-    if (_e25 > 1i) {
-        local_60 = 0.7f;
-    } else {
-        local_60 = 0.6f;
-    }
-    let _e31 = local_60;
-    k_16.shape = _e31;
-    let _e33 = lobes_3;
-    if (_e33 > 1i) {
-        local_61 = 0.91f;
-    } else {
-        local_61 = 0.6f;
-    }
-    let _e39 = local_61;
-    k_16.shapeRays = _e39;
-    let _e41 = lobes_3;
-    if (_e41 > 1i) {
-        local_62 = 1.05f;
-    } else {
-        local_62 = 0.95f;
-    }
-    let _e47 = local_62;
-    k_16.energyCore = _e47;
-    k_16.energyTail = 0.85f;
-    let _e50 = k_16;
-    return _e50;
-}
-
-fn wideningBeckmann(lobes_4: i32) -> Widening {
-    var lobes_5: i32;
-    var k_17: Widening;
-    var local_63: f32;
-    var local_64: f32;
-    var local_65: f32;
-
-    lobes_5 = lobes_4;
-    let _e25 = lobes_5;
-    if (_e25 > 1i) {
-        local_63 = 1f;
-    } else {
-        local_63 = 1.2f;
-    }
-    let _e31 = local_63;
-    k_17.shape = _e31;
-    let _e33 = lobes_5;
-    if (_e33 > 1i) {
-        local_64 = 1.3f;
-    } else {
-        local_64 = 1.2f;
-    }
-    let _e39 = local_64;
-    k_17.shapeRays = _e39;
-    let _e41 = lobes_5;
-    if (_e41 > 1i) {
-        local_65 = 1.3f;
-    } else {
-        local_65 = 1.5f;
-    }
-    let _e47 = local_65;
-    k_17.energyCore = _e47;
-    k_17.energyTail = 1.6f;
-    let _e50 = k_17;
-    return _e50;
-}
-
-fn exitTurn(cosTheta_36: f32, pathLength: f32, curvature: vec2<f32>) -> vec2<f32> {
-    var cosTheta_37: f32;
-    var pathLength_1: f32;
-    var curvature_1: vec2<f32>;
-    var turn: vec2<f32>;
-
-    cosTheta_37 = cosTheta_36;
-    pathLength_1 = pathLength;
-    curvature_1 = curvature;
-    let _e27 = pathLength_1;
-    let _e28 = curvature_1;
-    let _e31 = cosTheta_37;
-    let _e34 = pathLength_1;
-    let _e35 = curvature_1;
-    turn = vec2<f32>(((_e27 * _e28.x) / max(_e31, LEAST_LENGTH)), (_e34 * _e35.y));
-    let _e40 = turn;
-    return clamp(_e40, vec2(-8f), vec2(8f));
-}
-
-fn sphereTurn(cosTheta_38: f32) -> vec2<f32> {
-    var cosTheta_39: f32;
-
-    cosTheta_39 = cosTheta_38;
-    let _e25 = cosTheta_39;
-    return vec2<f32>(2f, (2f * _e25));
-}
-
-fn seeExit(inner: InnerLobe, core: bool, s_13: ExitSurface, k_18: Widening) -> ExitView {
-    var inner_1: InnerLobe;
-    var core_1: bool;
-    var s_14: ExitSurface;
-    var k_19: Widening;
-    var v_31: ExitView;
-    var local_66: f32;
-    var alpha2_: f32;
-    var spread_3: f32;
-    var spread2_: f32;
-    var rays2_: f32;
-    var local_67: f32;
-    var rays: f32;
-    var shape_1: f32;
-    var shape2_: f32;
-    var local_68: f32;
-    var energy: f32;
-    var local_69: f32;
-
-    inner_1 = inner;
-    core_1 = core;
-    s_14 = s_13;
-    k_19 = k_18;
-    let _e32 = inner_1;
-    let _e34 = s_14;
-    v_31.cosTheta = min(dot(_e32.direction, _e34.n), 1f);
-    let _e41 = s_14;
-    v_31.swing = (1f - _e41.turn.x);
-    let _e46 = v_31;
-    if (_e46.swing < 0f) {
-        let _e50 = v_31;
-        local_66 = min(_e50.swing, -0.05f);
-    } else {
-        let _e55 = v_31;
-        local_66 = max(_e55.swing, LEAST_SWING);
-    }
-    let _e59 = local_66;
-    v_31.swing = _e59;
-    let _e60 = s_14;
-    let _e62 = s_14;
-    alpha2_ = (_e60.alpha * _e62.alpha);
-    let _e66 = inner_1;
-    let _e68 = v_31;
-    spread_3 = (_e66.sigma * _e68.swing);
-    let _e72 = spread_3;
-    let _e73 = spread_3;
-    spread2_ = (_e72 * _e73);
-    let _e76 = k_19;
-    let _e78 = k_19;
-    let _e81 = spread2_;
-    rays2_ = ((_e76.shape * _e78.shape) * _e81);
-    let _e84 = rays2_;
-    if (_e84 > 0f) {
-        let _e87 = rays2_;
-        let _e88 = alpha2_;
-        let _e89 = rays2_;
-        local_67 = (_e87 / (_e88 + _e89));
-    } else {
-        local_67 = 0f;
-    }
-    let _e94 = local_67;
-    rays = _e94;
-    let _e96 = k_19;
-    let _e98 = k_19;
-    let _e100 = rays;
-    shape_1 = mix(_e96.shape, _e98.shapeRays, _e100);
-    let _e103 = alpha2_;
-    let _e104 = shape_1;
-    let _e105 = shape_1;
-    let _e107 = spread2_;
-    shape2_ = (_e103 + ((_e104 * _e105) * _e107));
-    let _e111 = core_1;
-    if _e111 {
-        let _e112 = k_19;
-        local_68 = _e112.energyCore;
-    } else {
-        let _e114 = k_19;
-        local_68 = _e114.energyTail;
-    }
-    let _e117 = local_68;
-    energy = _e117;
-    let _e120 = shape2_;
-    v_31.alphaShape = min(sqrt(_e120), 1f);
-    let _e125 = alpha2_;
-    let _e126 = energy;
-    let _e127 = energy;
-    let _e129 = spread2_;
-    v_31.alphaEnergy = min(sqrt((_e125 + ((_e126 * _e127) * _e129))), 1f);
-    let _e136 = shape2_;
-    if (_e136 > 0f) {
-        let _e139 = alpha2_;
-        let _e140 = shape2_;
-        local_69 = (_e139 / _e140);
-    } else {
-        local_69 = 1f;
-    }
-    let _e144 = local_69;
-    v_31.own = _e144;
-    let _e145 = v_31;
-    return _e145;
-}
-
-fn leavingNextAlpha(innerSigma: f32, alpha_92: f32, nextAlpha: f32) -> f32 {
-    var innerSigma_1: f32;
-    var alpha_93: f32;
-    var nextAlpha_1: f32;
-    var spread_4: f32;
-
-    innerSigma_1 = innerSigma;
-    alpha_93 = alpha_92;
-    nextAlpha_1 = nextAlpha;
-    let _e30 = innerSigma_1;
-    spread_4 = (1.3f * _e30);
-    let _e33 = nextAlpha_1;
-    let _e34 = nextAlpha_1;
-    let _e37 = alpha_93;
-    let _e39 = alpha_93;
-    let _e42 = spread_4;
-    let _e43 = spread_4;
-    return min(sqrt((((_e33 * _e34) + ((3f * _e37) * _e39)) + (_e42 * _e43))), 1f);
-}
-
-fn convexExit(n_39: vec3<f32>, direction_8: vec3<f32>, body: ConvexBody) -> ConvexExit {
-    var n_40: vec3<f32>;
-    var direction_9: vec3<f32>;
-    var body_1: ConvexBody;
-    var q_1: f32;
-    var c_30: f32;
-    var a_31: f32;
-    var root_2: f32;
-    var local_70: f32;
-    var scaled: f32;
-    var e_6: ConvexExit;
-    var local_71: f32;
-    var curvature_2: f32;
-
-    n_40 = n_39;
-    direction_9 = direction_8;
-    body_1 = body;
-    let _e29 = body_1;
-    let _e31 = body_1;
-    q_1 = clamp((_e29.thickness * _e31.curvature), 0f, 2f);
-    let _e38 = n_40;
-    let _e39 = direction_9;
-    c_30 = max(-(dot(_e38, _e39)), 0.05f);
-    let _e46 = q_1;
-    let _e48 = c_30;
-    a_31 = ((1f - _e46) * _e48);
-    let _e51 = a_31;
-    let _e52 = a_31;
-    let _e54 = q_1;
-    let _e56 = q_1;
-    root_2 = sqrt(((_e51 * _e52) + (_e54 * (2f - _e56))));
-    let _e62 = q_1;
-    if (_e62 < 1f) {
-        let _e66 = q_1;
-        let _e68 = a_31;
-        let _e69 = root_2;
-        local_70 = ((2f - _e66) / (_e68 + _e69));
-    } else {
-        let _e72 = root_2;
-        let _e73 = a_31;
-        let _e75 = q_1;
-        local_70 = ((_e72 - _e73) / _e75);
-    }
-    let _e78 = local_70;
-    scaled = _e78;
-    let _e82 = scaled;
-    let _e83 = body_1;
-    e_6.path = (_e82 * _e83.thickness);
-    let _e88 = q_1;
-    let _e91 = n_40;
-    let _e93 = q_1;
-    let _e94 = scaled;
-    let _e96 = direction_9;
-    e_6.surface.n = normalize((((_e88 - 1f) * _e91) + ((_e93 * _e94) * _e96)));
-    let _e102 = body_1;
-    e_6.surface.alpha = _e102.backAlpha;
-    let _e107 = body_1;
-    e_6.surface.eta = (1f / _e107.ior);
-    let _e110 = body_1;
-    if (_e110.thickness > 0f) {
-        let _e114 = q_1;
-        let _e115 = body_1;
-        local_71 = (_e114 / _e115.thickness);
-    } else {
-        local_71 = 0f;
-    }
-    let _e120 = local_71;
-    curvature_2 = _e120;
-    let _e124 = direction_9;
-    let _e125 = e_6;
-    let _e129 = e_6;
-    let _e131 = curvature_2;
-    let _e133 = exitTurn(dot(_e124, _e125.surface.n), _e129.path, vec2(_e131));
-    e_6.surface.turn = _e133;
-    let _e134 = e_6;
-    return _e134;
-}
-
 fn signNotZero(x_23: f32) -> f32 {
     var x_24: f32;
-    var local_72: f32;
+    var local_60: f32;
 
     x_24 = x_23;
-    let _e25 = x_24;
-    if (_e25 < 0f) {
-        local_72 = -1f;
+    let _e23 = x_24;
+    if (_e23 < 0f) {
+        local_60 = -1f;
     } else {
-        local_72 = 1f;
+        local_60 = 1f;
     }
-    let _e32 = local_72;
-    return _e32;
+    let _e30 = local_60;
+    return _e30;
 }
 
-fn octEncode(n_41: vec3<f32>) -> vec2<f32> {
-    var n_42: vec3<f32>;
-    var s_15: f32;
+fn octEncode(n_39: vec3<f32>) -> vec2<f32> {
+    var n_40: vec3<f32>;
+    var s_13: f32;
     var p_3: vec2<f32>;
 
-    n_42 = n_41;
-    let _e26 = n_42;
-    let _e29 = n_42;
-    let _e33 = n_42;
-    s_15 = (1f / ((abs(_e26.x) + abs(_e29.y)) + abs(_e33.z)));
-    let _e39 = n_42;
-    let _e41 = s_15;
-    let _e43 = n_42;
-    let _e45 = s_15;
-    p_3 = vec2<f32>((_e39.x * _e41), (_e43.y * _e45));
-    let _e49 = n_42;
-    if (_e49.z >= 0f) {
-        let _e53 = p_3;
-        return _e53;
+    n_40 = n_39;
+    let _e24 = n_40;
+    let _e27 = n_40;
+    let _e31 = n_40;
+    s_13 = (1f / ((abs(_e24.x) + abs(_e27.y)) + abs(_e31.z)));
+    let _e37 = n_40;
+    let _e39 = s_13;
+    let _e41 = n_40;
+    let _e43 = s_13;
+    p_3 = vec2<f32>((_e37.x * _e39), (_e41.y * _e43));
+    let _e47 = n_40;
+    if (_e47.z >= 0f) {
+        let _e51 = p_3;
+        return _e51;
     }
-    let _e55 = p_3;
-    let _e59 = p_3;
-    let _e61 = signNotZero(_e59.x);
-    let _e64 = p_3;
-    let _e68 = p_3;
-    let _e70 = signNotZero(_e68.y);
-    return vec2<f32>(((1f - abs(_e55.y)) * _e61), ((1f - abs(_e64.x)) * _e70));
+    let _e53 = p_3;
+    let _e57 = p_3;
+    let _e59 = signNotZero(_e57.x);
+    let _e62 = p_3;
+    let _e66 = p_3;
+    let _e68 = signNotZero(_e66.y);
+    return vec2<f32>(((1f - abs(_e53.y)) * _e59), ((1f - abs(_e62.x)) * _e68));
 }
 
 fn octDecode(p_4: vec2<f32>) -> vec3<f32> {
@@ -6207,21 +5906,21 @@ fn octDecode(p_4: vec2<f32>) -> vec3<f32> {
     var fold: f32;
 
     p_5 = p_4;
-    let _e26 = p_5;
-    let _e30 = p_5;
-    z_11 = ((1f - abs(_e26.x)) - abs(_e30.y));
-    let _e35 = z_11;
-    fold = max(-(_e35), 0f);
-    let _e40 = p_5;
-    let _e42 = fold;
-    let _e43 = p_5;
-    let _e45 = signNotZero(_e43.x);
-    let _e48 = p_5;
-    let _e50 = fold;
-    let _e51 = p_5;
-    let _e53 = signNotZero(_e51.y);
-    let _e56 = z_11;
-    return normalize(vec3<f32>((_e40.x - (_e42 * _e45)), (_e48.y - (_e50 * _e53)), _e56));
+    let _e24 = p_5;
+    let _e28 = p_5;
+    z_11 = ((1f - abs(_e24.x)) - abs(_e28.y));
+    let _e33 = z_11;
+    fold = max(-(_e33), 0f);
+    let _e38 = p_5;
+    let _e40 = fold;
+    let _e41 = p_5;
+    let _e43 = signNotZero(_e41.x);
+    let _e46 = p_5;
+    let _e48 = fold;
+    let _e49 = p_5;
+    let _e51 = signNotZero(_e49.y);
+    let _e54 = z_11;
+    return normalize(vec3<f32>((_e38.x - (_e40 * _e43)), (_e46.y - (_e48 * _e51)), _e54));
 }
 
 fn interiorView(clipFromWorld: mat4x4<f32>, worldFromClip: mat4x4<f32>, size_19: vec2<f32>) -> InteriorView {
@@ -6233,54 +5932,54 @@ fn interiorView(clipFromWorld: mat4x4<f32>, worldFromClip: mat4x4<f32>, size_19:
     var depth: vec3<f32>;
     var w_22: vec3<f32>;
     var perspective: bool;
-    var local_73: vec3<f32>;
-    var v_32: vec3<f32>;
+    var local_61: vec3<f32>;
+    var v_31: vec3<f32>;
 
     clipFromWorld_1 = clipFromWorld;
     worldFromClip_1 = worldFromClip;
     size_20 = size_19;
-    let _e31 = clipFromWorld_1;
-    view.clipFromWorld = _e31;
-    let _e33 = worldFromClip_1;
-    view.worldFromClip = _e33;
-    let _e35 = size_20;
-    view.size = _e35;
-    let _e40 = clipFromWorld_1[0][0];
-    let _e45 = clipFromWorld_1[1][0];
-    let _e50 = clipFromWorld_1[2][0];
-    right_1 = vec3<f32>(_e40, _e45, _e50);
-    let _e57 = clipFromWorld_1[0][2];
-    let _e62 = clipFromWorld_1[1][2];
-    let _e67 = clipFromWorld_1[2][2];
-    depth = vec3<f32>(_e57, _e62, _e67);
-    let _e74 = clipFromWorld_1[0][3];
-    let _e79 = clipFromWorld_1[1][3];
-    let _e84 = clipFromWorld_1[2][3];
-    w_22 = vec3<f32>(_e74, _e79, _e84);
-    let _e89 = size_20;
-    let _e91 = right_1;
-    view.texelWidth = (2f / (_e89.x * length(_e91)));
-    let _e95 = w_22;
-    let _e96 = w_22;
-    perspective = (dot(_e95, _e96) > 0f);
-    let _e101 = perspective;
-    if _e101 {
-        let _e102 = w_22;
-        local_73 = normalize(_e102);
+    let _e29 = clipFromWorld_1;
+    view.clipFromWorld = _e29;
+    let _e31 = worldFromClip_1;
+    view.worldFromClip = _e31;
+    let _e33 = size_20;
+    view.size = _e33;
+    let _e38 = clipFromWorld_1[0][0];
+    let _e43 = clipFromWorld_1[1][0];
+    let _e48 = clipFromWorld_1[2][0];
+    right_1 = vec3<f32>(_e38, _e43, _e48);
+    let _e55 = clipFromWorld_1[0][2];
+    let _e60 = clipFromWorld_1[1][2];
+    let _e65 = clipFromWorld_1[2][2];
+    depth = vec3<f32>(_e55, _e60, _e65);
+    let _e72 = clipFromWorld_1[0][3];
+    let _e77 = clipFromWorld_1[1][3];
+    let _e82 = clipFromWorld_1[2][3];
+    w_22 = vec3<f32>(_e72, _e77, _e82);
+    let _e87 = size_20;
+    let _e89 = right_1;
+    view.texelWidth = (2f / (_e87.x * length(_e89)));
+    let _e93 = w_22;
+    let _e94 = w_22;
+    perspective = (dot(_e93, _e94) > 0f);
+    let _e99 = perspective;
+    if _e99 {
+        let _e100 = w_22;
+        local_61 = normalize(_e100);
     } else {
-        let _e104 = depth;
-        local_73 = -(normalize(_e104));
+        let _e102 = depth;
+        local_61 = -(normalize(_e102));
     }
-    let _e108 = local_73;
-    v_32 = _e108;
-    let _e111 = view;
-    let _e113 = depth;
-    let _e114 = v_32;
-    let _e117 = w_22;
-    let _e118 = v_32;
-    view.texelDepth = (_e111.texelWidth * vec2<f32>(-(dot(_e113, _e114)), dot(_e117, _e118)));
-    let _e122 = view;
-    return _e122;
+    let _e106 = local_61;
+    v_31 = _e106;
+    let _e109 = view;
+    let _e111 = depth;
+    let _e112 = v_31;
+    let _e115 = w_22;
+    let _e116 = v_31;
+    view.texelDepth = (_e109.texelWidth * vec2<f32>(-(dot(_e111, _e112)), dot(_e115, _e116)));
+    let _e120 = view;
+    return _e120;
 }
 
 fn interiorTexelDepth(view_1: InteriorView, depth_1: f32) -> f32 {
@@ -6289,10 +5988,10 @@ fn interiorTexelDepth(view_1: InteriorView, depth_1: f32) -> f32 {
 
     view_2 = view_1;
     depth_2 = depth_1;
-    let _e27 = view_2;
-    let _e30 = view_2;
-    let _e33 = depth_2;
-    return (_e27.texelDepth.x + (_e30.texelDepth.y * _e33));
+    let _e25 = view_2;
+    let _e28 = view_2;
+    let _e31 = depth_2;
+    return (_e25.texelDepth.x + (_e28.texelDepth.y * _e31));
 }
 
 fn interiorTexelWidth(view_3: InteriorView, w_23: f32) -> f32 {
@@ -6301,9 +6000,9 @@ fn interiorTexelWidth(view_3: InteriorView, w_23: f32) -> f32 {
 
     view_4 = view_3;
     w_24 = w_23;
-    let _e27 = view_4;
-    let _e29 = w_24;
-    return (_e27.texelWidth * _e29);
+    let _e25 = view_4;
+    let _e27 = w_24;
+    return (_e25.texelWidth * _e27);
 }
 
 fn interiorWorld(view_5: InteriorView, at_1: vec2<f32>, depth_3: f32) -> vec3<f32> {
@@ -6316,27 +6015,27 @@ fn interiorWorld(view_5: InteriorView, at_1: vec2<f32>, depth_3: f32) -> vec3<f3
     view_6 = view_5;
     at_2 = at_1;
     depth_4 = depth_3;
-    let _e30 = at_2;
-    let _e33 = view_6;
-    let _e41 = at_2;
-    let _e44 = view_6;
-    clip = vec2<f32>((((2f * _e30.x) / _e33.size.x) - 1f), (1f - ((2f * _e41.y) / _e44.size.y)));
-    let _e51 = view_6;
+    let _e28 = at_2;
+    let _e31 = view_6;
+    let _e39 = at_2;
+    let _e42 = view_6;
+    clip = vec2<f32>((((2f * _e28.x) / _e31.size.x) - 1f), (1f - ((2f * _e39.y) / _e42.size.y)));
+    let _e49 = view_6;
+    let _e51 = clip;
     let _e53 = clip;
-    let _e55 = clip;
-    let _e57 = depth_4;
-    p_6 = (_e51.worldFromClip * vec4<f32>(_e53.x, _e55.y, _e57, 1f));
+    let _e55 = depth_4;
+    p_6 = (_e49.worldFromClip * vec4<f32>(_e51.x, _e53.y, _e55, 1f));
+    let _e60 = p_6;
     let _e62 = p_6;
     let _e64 = p_6;
-    let _e66 = p_6;
-    let _e69 = p_6;
-    return (vec3<f32>(_e62.x, _e64.y, _e66.z) / vec3(_e69.w));
+    let _e67 = p_6;
+    return (vec3<f32>(_e60.x, _e62.y, _e64.z) / vec3(_e67.w));
 }
 
-fn exitRay(view_7: InteriorView, origin: vec3<f32>, direction_10: vec3<f32>) -> ExitRay {
+fn exitRay(view_7: InteriorView, origin: vec3<f32>, direction_8: vec3<f32>) -> ExitRay {
     var view_8: InteriorView;
     var origin_1: vec3<f32>;
-    var direction_11: vec3<f32>;
+    var direction_9: vec3<f32>;
     var o_2: vec4<f32>;
     var d_17: vec4<f32>;
     var h_14: vec2<f32>;
@@ -6344,59 +6043,59 @@ fn exitRay(view_7: InteriorView, origin: vec3<f32>, direction_10: vec3<f32>) -> 
 
     view_8 = view_7;
     origin_1 = origin;
-    direction_11 = direction_10;
-    let _e32 = view_8;
-    let _e34 = origin_1;
-    o_2 = (_e32.clipFromWorld * vec4<f32>(_e34.x, _e34.y, _e34.z, 1f));
-    let _e42 = view_8;
-    let _e44 = direction_11;
-    d_17 = (_e42.clipFromWorld * vec4<f32>(_e44.x, _e44.y, _e44.z, 0f));
-    let _e53 = view_8;
-    h_14 = (0.5f * _e53.size);
-    let _e59 = h_14;
+    direction_9 = direction_8;
+    let _e30 = view_8;
+    let _e32 = origin_1;
+    o_2 = (_e30.clipFromWorld * vec4<f32>(_e32.x, _e32.y, _e32.z, 1f));
+    let _e40 = view_8;
+    let _e42 = direction_9;
+    d_17 = (_e40.clipFromWorld * vec4<f32>(_e42.x, _e42.y, _e42.z, 0f));
+    let _e51 = view_8;
+    h_14 = (0.5f * _e51.size);
+    let _e57 = h_14;
+    let _e59 = o_2;
     let _e61 = o_2;
-    let _e63 = o_2;
-    let _e67 = h_14;
+    let _e65 = h_14;
+    let _e67 = o_2;
     let _e69 = o_2;
-    let _e71 = o_2;
+    let _e73 = o_2;
     let _e75 = o_2;
-    let _e77 = o_2;
-    ray.origin = vec4<f32>((_e59.x * (_e61.w + _e63.x)), (_e67.y * (_e69.w - _e71.y)), _e75.z, _e77.w);
-    let _e81 = h_14;
+    ray.origin = vec4<f32>((_e57.x * (_e59.w + _e61.x)), (_e65.y * (_e67.w - _e69.y)), _e73.z, _e75.w);
+    let _e79 = h_14;
+    let _e81 = d_17;
     let _e83 = d_17;
-    let _e85 = d_17;
-    let _e89 = h_14;
+    let _e87 = h_14;
+    let _e89 = d_17;
     let _e91 = d_17;
-    let _e93 = d_17;
+    let _e95 = d_17;
     let _e97 = d_17;
-    let _e99 = d_17;
-    ray.direction = vec4<f32>((_e81.x * (_e83.w + _e85.x)), (_e89.y * (_e91.w - _e93.y)), _e97.z, _e99.w);
-    let _e102 = ray;
-    return _e102;
+    ray.direction = vec4<f32>((_e79.x * (_e81.w + _e83.x)), (_e87.y * (_e89.w - _e91.y)), _e95.z, _e97.w);
+    let _e100 = ray;
+    return _e100;
 }
 
 fn exitAt(ray_1: ExitRay, t_25: f32) -> vec4<f32> {
     var ray_2: ExitRay;
     var t_26: f32;
     var p_7: vec4<f32>;
-    var s_16: f32;
+    var s_14: f32;
 
     ray_2 = ray_1;
     t_26 = t_25;
-    let _e30 = ray_2;
-    let _e32 = t_26;
-    let _e33 = ray_2;
-    p_7 = (_e30.origin + (_e32 * _e33.direction));
-    let _e39 = p_7;
-    s_16 = (1f / _e39.w);
-    let _e43 = p_7;
-    let _e45 = s_16;
-    let _e47 = p_7;
-    let _e49 = s_16;
-    let _e51 = p_7;
-    let _e53 = s_16;
-    let _e55 = p_7;
-    return vec4<f32>((_e43.x * _e45), (_e47.y * _e49), (_e51.z * _e53), _e55.w);
+    let _e28 = ray_2;
+    let _e30 = t_26;
+    let _e31 = ray_2;
+    p_7 = (_e28.origin + (_e30 * _e31.direction));
+    let _e37 = p_7;
+    s_14 = (1f / _e37.w);
+    let _e41 = p_7;
+    let _e43 = s_14;
+    let _e45 = p_7;
+    let _e47 = s_14;
+    let _e49 = p_7;
+    let _e51 = s_14;
+    let _e53 = p_7;
+    return vec4<f32>((_e41.x * _e43), (_e45.y * _e47), (_e49.z * _e51), _e53.w);
 }
 
 fn exitOnPicture(view_9: InteriorView, at_3: vec4<f32>) -> bool {
@@ -6405,38 +6104,38 @@ fn exitOnPicture(view_9: InteriorView, at_3: vec4<f32>) -> bool {
 
     view_10 = view_9;
     at_4 = at_3;
-    let _e30 = at_4;
-    let _e34 = at_4;
-    let _e39 = at_4;
-    let _e44 = at_4;
-    let _e46 = view_10;
-    let _e51 = at_4;
-    let _e53 = view_10;
-    return (((((_e30.w > 0f) && (_e34.x >= 0f)) && (_e39.y >= 0f)) && (_e44.x < _e46.size.x)) && (_e51.y < _e53.size.y));
+    let _e28 = at_4;
+    let _e32 = at_4;
+    let _e37 = at_4;
+    let _e42 = at_4;
+    let _e44 = view_10;
+    let _e49 = at_4;
+    let _e51 = view_10;
+    return (((((_e28.w > 0f) && (_e32.x >= 0f)) && (_e37.y >= 0f)) && (_e42.x < _e44.size.x)) && (_e49.y < _e51.size.y));
 }
 
 fn exitStretches(depths: vec4<f32>) -> vec4<f32> {
     var depths_1: vec4<f32>;
 
     depths_1 = depths;
+    let _e26 = depths_1;
     let _e28 = depths_1;
-    let _e30 = depths_1;
-    if (_e28.x < _e30.y) {
+    if (_e26.x < _e28.y) {
+        let _e32 = depths_1;
         let _e34 = depths_1;
         let _e36 = depths_1;
-        let _e38 = depths_1;
-        return vec4<f32>(2f, _e34.y, _e36.x, _e38.w);
+        return vec4<f32>(2f, _e32.y, _e34.x, _e36.w);
     }
+    let _e39 = depths_1;
     let _e41 = depths_1;
-    let _e43 = depths_1;
-    let _e46 = depths_1;
-    if ((_e41.z > _e43.y) && (_e46.w > 0f)) {
+    let _e44 = depths_1;
+    if ((_e39.z > _e41.y) && (_e44.w > 0f)) {
+        let _e49 = depths_1;
         let _e51 = depths_1;
-        let _e53 = depths_1;
-        return vec4<f32>(_e51.x, _e53.w, 0f, 0f);
+        return vec4<f32>(_e49.x, _e51.w, 0f, 0f);
     }
-    let _e58 = depths_1;
-    return _e58;
+    let _e56 = depths_1;
+    return _e56;
 }
 
 fn exitInside(stretches: vec4<f32>, depth_5: f32) -> vec2<f32> {
@@ -6446,24 +6145,24 @@ fn exitInside(stretches: vec4<f32>, depth_5: f32) -> vec2<f32> {
 
     stretches_1 = stretches;
     depth_6 = depth_5;
-    let _e33 = stretches_1;
-    if (_e33.y > 0f) {
-        let _e38 = stretches_1;
+    let _e31 = stretches_1;
+    if (_e31.y > 0f) {
+        let _e36 = stretches_1;
+        let _e38 = depth_6;
         let _e40 = depth_6;
-        let _e42 = depth_6;
-        let _e43 = stretches_1;
-        inside_1.x = min((_e38.x - _e40), (_e42 - _e43.y));
+        let _e41 = stretches_1;
+        inside_1.x = min((_e36.x - _e38), (_e40 - _e41.y));
     }
-    let _e47 = stretches_1;
-    if (_e47.w > 0f) {
-        let _e52 = stretches_1;
+    let _e45 = stretches_1;
+    if (_e45.w > 0f) {
+        let _e50 = stretches_1;
+        let _e52 = depth_6;
         let _e54 = depth_6;
-        let _e56 = depth_6;
-        let _e57 = stretches_1;
-        inside_1.y = min((_e52.z - _e54), (_e56 - _e57.w));
+        let _e55 = stretches_1;
+        inside_1.y = min((_e50.z - _e52), (_e54 - _e55.w));
     }
-    let _e61 = inside_1;
-    return _e61;
+    let _e59 = inside_1;
+    return _e59;
 }
 
 fn exitLearn(way: ExitWay, t_27: f32, w_25: f32, here: f32, margin: f32) -> ExitWay {
@@ -6472,223 +6171,223 @@ fn exitLearn(way: ExitWay, t_27: f32, w_25: f32, here: f32, margin: f32) -> Exit
     var w_26: f32;
     var here_1: f32;
     var margin_1: f32;
-    var local_74: f32;
+    var local_62: f32;
 
     way_1 = way;
     t_28 = t_27;
     w_26 = w_25;
     here_1 = here;
     margin_1 = margin;
-    let _e36 = here_1;
-    let _e37 = margin_1;
-    if (_e36 > _e37) {
+    let _e34 = here_1;
+    let _e35 = margin_1;
+    if (_e34 > _e35) {
         {
-            let _e40 = t_28;
-            way_1.tInside = _e40;
-            let _e42 = here_1;
-            let _e43 = w_26;
-            way_1.inside = (_e42 * _e43);
+            let _e38 = t_28;
+            way_1.tInside = _e38;
+            let _e40 = here_1;
+            let _e41 = w_26;
+            way_1.inside = (_e40 * _e41);
         }
     } else {
-        let _e45 = here_1;
-        let _e46 = margin_1;
-        if (_e45 < -(_e46)) {
+        let _e43 = here_1;
+        let _e44 = margin_1;
+        if (_e43 < -(_e44)) {
             {
-                let _e50 = t_28;
-                way_1.tOutside = _e50;
-                let _e52 = here_1;
-                if (_e52 > EXIT_NOWHERE) {
-                    let _e54 = here_1;
-                    let _e55 = w_26;
-                    local_74 = (_e54 * _e55);
+                let _e48 = t_28;
+                way_1.tOutside = _e48;
+                let _e50 = here_1;
+                if (_e50 > EXIT_NOWHERE) {
+                    let _e52 = here_1;
+                    let _e53 = w_26;
+                    local_62 = (_e52 * _e53);
                 } else {
-                    local_74 = EXIT_NOWHERE;
+                    local_62 = EXIT_NOWHERE;
                 }
-                let _e58 = local_74;
-                way_1.outside = _e58;
+                let _e56 = local_62;
+                way_1.outside = _e56;
             }
         }
     }
-    let _e59 = way_1;
-    return _e59;
+    let _e57 = way_1;
+    return _e57;
 }
 
 fn exitSecant(way_2: ExitWay) -> f32 {
     var way_3: ExitWay;
-    var local_75: f32;
+    var local_63: f32;
     var share_2: f32;
 
     way_3 = way_2;
-    let _e28 = way_3;
-    if (_e28.outside > EXIT_NOWHERE) {
+    let _e26 = way_3;
+    if (_e26.outside > EXIT_NOWHERE) {
+        let _e29 = way_3;
         let _e31 = way_3;
         let _e33 = way_3;
-        let _e35 = way_3;
-        local_75 = clamp((_e31.inside / (_e33.inside - _e35.outside)), 0.05f, 0.95f);
+        local_63 = clamp((_e29.inside / (_e31.inside - _e33.outside)), 0.05f, 0.95f);
     } else {
-        local_75 = 0.5f;
+        local_63 = 0.5f;
     }
-    let _e44 = local_75;
-    share_2 = _e44;
+    let _e42 = local_63;
+    share_2 = _e42;
+    let _e44 = way_3;
     let _e46 = way_3;
-    let _e48 = way_3;
-    let _e50 = share_2;
-    return mix(_e46.tInside, _e48.tOutside, _e50);
+    let _e48 = share_2;
+    return mix(_e44.tInside, _e46.tOutside, _e48);
 }
 
-fn exitSpacing(k_20: i32) -> f32 {
-    var k_21: i32;
+fn exitSpacing(k_16: i32) -> f32 {
+    var k_17: i32;
     var x_25: f32;
     var x3_: f32;
 
-    k_21 = k_20;
-    let _e29 = k_21;
-    x_25 = (0.25f * f32(_e29));
-    let _e33 = x_25;
+    k_17 = k_16;
+    let _e27 = k_17;
+    x_25 = (0.25f * f32(_e27));
+    let _e31 = x_25;
+    let _e32 = x_25;
     let _e34 = x_25;
-    let _e36 = x_25;
-    x3_ = ((_e33 * _e34) * _e36);
-    let _e39 = x_25;
-    let _e40 = x3_;
-    let _e44 = x3_;
-    let _e45 = x3_;
-    return ((_e39 + (_e40 / 3f)) + ((_e44 * _e45) / 20f));
+    x3_ = ((_e31 * _e32) * _e34);
+    let _e37 = x_25;
+    let _e38 = x3_;
+    let _e42 = x3_;
+    let _e43 = x3_;
+    return ((_e37 + (_e38 / 3f)) + ((_e42 * _e43) / 20f));
 }
 
-fn exitPlane(origin_2: vec3<f32>, direction_12: vec3<f32>, point: vec3<f32>, n_43: vec3<f32>) -> f32 {
+fn exitPlane(origin_2: vec3<f32>, direction_10: vec3<f32>, point: vec3<f32>, n_41: vec3<f32>) -> f32 {
     var origin_3: vec3<f32>;
-    var direction_13: vec3<f32>;
+    var direction_11: vec3<f32>;
     var point_1: vec3<f32>;
-    var n_44: vec3<f32>;
+    var n_42: vec3<f32>;
 
     origin_3 = origin_2;
-    direction_13 = direction_12;
+    direction_11 = direction_10;
     point_1 = point;
-    n_44 = n_43;
-    let _e34 = point_1;
-    let _e35 = origin_3;
-    let _e37 = n_44;
-    let _e39 = direction_13;
-    let _e40 = n_44;
-    return (dot((_e34 - _e35), _e37) / dot(_e39, _e40));
+    n_42 = n_41;
+    let _e32 = point_1;
+    let _e33 = origin_3;
+    let _e35 = n_42;
+    let _e37 = direction_11;
+    let _e38 = n_42;
+    return (dot((_e32 - _e33), _e35) / dot(_e37, _e38));
 }
 
-fn exitSame(point_2: vec3<f32>, n_45: vec3<f32>, otherPoint: vec3<f32>, otherN: vec3<f32>) -> bool {
+fn exitSame(point_2: vec3<f32>, n_43: vec3<f32>, otherPoint: vec3<f32>, otherN: vec3<f32>) -> bool {
     var point_3: vec3<f32>;
-    var n_46: vec3<f32>;
+    var n_44: vec3<f32>;
     var otherPoint_1: vec3<f32>;
     var otherN_1: vec3<f32>;
     var chord_1: vec3<f32>;
 
     point_3 = point_2;
-    n_46 = n_45;
+    n_44 = n_43;
     otherPoint_1 = otherPoint;
     otherN_1 = otherN;
-    let _e34 = otherPoint_1;
-    let _e35 = point_3;
-    chord_1 = (_e34 - _e35);
-    let _e38 = n_46;
-    let _e39 = otherN_1;
-    let _e43 = chord_1;
-    let _e44 = n_46;
-    let _e48 = chord_1;
-    return ((dot(_e38, _e39) > 0.7f) && (abs(dot(_e43, _e44)) <= (0.39f * length(_e48))));
+    let _e32 = otherPoint_1;
+    let _e33 = point_3;
+    chord_1 = (_e32 - _e33);
+    let _e36 = n_44;
+    let _e37 = otherN_1;
+    let _e41 = chord_1;
+    let _e42 = n_44;
+    let _e46 = chord_1;
+    return ((dot(_e36, _e37) > 0.7f) && (abs(dot(_e41, _e42)) <= (0.39f * length(_e46))));
 }
 
-fn exitCurvature(n_47: vec3<f32>, direction_14: vec3<f32>, stepX: vec3<f32>, turnX: vec3<f32>, stepY: vec3<f32>, turnY: vec3<f32>) -> vec2<f32> {
-    var n_48: vec3<f32>;
-    var direction_15: vec3<f32>;
+fn exitCurvature(n_45: vec3<f32>, direction_12: vec3<f32>, stepX: vec3<f32>, turnX: vec3<f32>, stepY: vec3<f32>, turnY: vec3<f32>) -> vec2<f32> {
+    var n_46: vec3<f32>;
+    var direction_13: vec3<f32>;
     var stepX_1: vec3<f32>;
     var turnX_1: vec3<f32>;
     var stepY_1: vec3<f32>;
     var turnY_1: vec3<f32>;
     var area_1: f32;
-    var turn_1: f32;
+    var turn: f32;
     var along_9: vec3<f32>;
     var t1_2: vec3<f32>;
     var t2_: vec3<f32>;
     var turn1_: vec3<f32>;
     var turn2_: vec3<f32>;
     var twist: f32;
-    var curvature_3: vec2<f32>;
-    var local_76: vec2<f32>;
+    var curvature: vec2<f32>;
+    var local_64: vec2<f32>;
 
-    n_48 = n_47;
-    direction_15 = direction_14;
+    n_46 = n_45;
+    direction_13 = direction_12;
     stepX_1 = stepX;
     turnX_1 = turnX;
     stepY_1 = stepY;
     turnY_1 = turnY;
-    let _e38 = stepX_1;
-    let _e39 = stepY_1;
-    let _e41 = n_48;
-    area_1 = dot(cross(_e38, _e39), _e41);
-    let _e44 = turnX_1;
-    let _e45 = turnX_1;
-    let _e47 = turnY_1;
-    let _e48 = turnY_1;
-    turn_1 = max(dot(_e44, _e45), dot(_e47, _e48));
-    let _e52 = area_1;
-    let _e55 = turn_1;
-    if ((_e52 == 0f) || (_e55 > 0.0625f)) {
+    let _e36 = stepX_1;
+    let _e37 = stepY_1;
+    let _e39 = n_46;
+    area_1 = dot(cross(_e36, _e37), _e39);
+    let _e42 = turnX_1;
+    let _e43 = turnX_1;
+    let _e45 = turnY_1;
+    let _e46 = turnY_1;
+    turn = max(dot(_e42, _e43), dot(_e45, _e46));
+    let _e50 = area_1;
+    let _e53 = turn;
+    if ((_e50 == 0f) || (_e53 > 0.0625f)) {
         return vec2(0f);
     }
-    let _e61 = direction_15;
-    let _e62 = direction_15;
-    let _e63 = n_48;
-    let _e65 = n_48;
-    along_9 = (_e61 - (dot(_e62, _e63) * _e65));
-    let _e69 = along_9;
-    let _e70 = along_9;
-    if (dot(_e69, _e70) < LEAST_LENGTH2) {
-        let _e73 = stepX_1;
-        let _e74 = stepX_1;
-        let _e75 = n_48;
-        let _e77 = n_48;
-        along_9 = (_e73 - (dot(_e74, _e75) * _e77));
+    let _e59 = direction_13;
+    let _e60 = direction_13;
+    let _e61 = n_46;
+    let _e63 = n_46;
+    along_9 = (_e59 - (dot(_e60, _e61) * _e63));
+    let _e67 = along_9;
+    let _e68 = along_9;
+    if (dot(_e67, _e68) < LEAST_LENGTH2) {
+        let _e71 = stepX_1;
+        let _e72 = stepX_1;
+        let _e73 = n_46;
+        let _e75 = n_46;
+        along_9 = (_e71 - (dot(_e72, _e73) * _e75));
     }
-    let _e80 = along_9;
-    t1_2 = normalize(_e80);
-    let _e83 = n_48;
-    let _e84 = t1_2;
-    t2_ = cross(_e83, _e84);
-    let _e87 = stepY_1;
-    let _e88 = t2_;
-    let _e90 = turnX_1;
-    let _e92 = stepX_1;
-    let _e93 = t2_;
-    let _e95 = turnY_1;
-    let _e98 = area_1;
-    turn1_ = (((dot(_e87, _e88) * _e90) - (dot(_e92, _e93) * _e95)) / vec3(_e98));
-    let _e102 = stepX_1;
-    let _e103 = t1_2;
-    let _e105 = turnY_1;
-    let _e107 = stepY_1;
-    let _e108 = t1_2;
-    let _e110 = turnX_1;
-    let _e113 = area_1;
-    turn2_ = (((dot(_e102, _e103) * _e105) - (dot(_e107, _e108) * _e110)) / vec3(_e113));
-    let _e117 = turn1_;
-    let _e118 = t2_;
-    let _e120 = turn2_;
-    let _e121 = t1_2;
-    twist = abs((dot(_e117, _e118) - dot(_e120, _e121)));
-    let _e126 = turn1_;
-    let _e127 = t1_2;
-    let _e129 = turn2_;
-    let _e130 = t2_;
-    curvature_3 = vec2<f32>(dot(_e126, _e127), dot(_e129, _e130));
-    let _e134 = twist;
-    let _e135 = curvature_3;
-    let _e138 = curvature_3;
-    if (_e134 > (abs(_e135.x) + abs(_e138.y))) {
-        local_76 = vec2(0f);
+    let _e78 = along_9;
+    t1_2 = normalize(_e78);
+    let _e81 = n_46;
+    let _e82 = t1_2;
+    t2_ = cross(_e81, _e82);
+    let _e85 = stepY_1;
+    let _e86 = t2_;
+    let _e88 = turnX_1;
+    let _e90 = stepX_1;
+    let _e91 = t2_;
+    let _e93 = turnY_1;
+    let _e96 = area_1;
+    turn1_ = (((dot(_e85, _e86) * _e88) - (dot(_e90, _e91) * _e93)) / vec3(_e96));
+    let _e100 = stepX_1;
+    let _e101 = t1_2;
+    let _e103 = turnY_1;
+    let _e105 = stepY_1;
+    let _e106 = t1_2;
+    let _e108 = turnX_1;
+    let _e111 = area_1;
+    turn2_ = (((dot(_e100, _e101) * _e103) - (dot(_e105, _e106) * _e108)) / vec3(_e111));
+    let _e115 = turn1_;
+    let _e116 = t2_;
+    let _e118 = turn2_;
+    let _e119 = t1_2;
+    twist = abs((dot(_e115, _e116) - dot(_e118, _e119)));
+    let _e124 = turn1_;
+    let _e125 = t1_2;
+    let _e127 = turn2_;
+    let _e128 = t2_;
+    curvature = vec2<f32>(dot(_e124, _e125), dot(_e127, _e128));
+    let _e132 = twist;
+    let _e133 = curvature;
+    let _e136 = curvature;
+    if (_e132 > (abs(_e133.x) + abs(_e136.y))) {
+        local_64 = vec2(0f);
     } else {
-        let _e145 = curvature_3;
-        local_76 = _e145;
+        let _e143 = curvature;
+        local_64 = _e143;
     }
-    let _e147 = local_76;
-    return _e147;
+    let _e145 = local_64;
+    return _e145;
 }
 
 fn engineInterfaceEnergy(at_5: vec3<f32>) -> vec4<f32> {
@@ -6728,11 +6427,11 @@ fn engineSceneDepth(at_13: vec2<f32>) -> f32 {
     return 0f;
 }
 
-fn engineEnvironment(direction_16: vec3<f32>, sigma_6: f32) -> vec3<f32> {
-    var direction_17: vec3<f32>;
+fn engineEnvironment(direction_14: vec3<f32>, sigma_6: f32) -> vec3<f32> {
+    var direction_15: vec3<f32>;
     var sigma_7: f32;
 
-    direction_17 = direction_16;
+    direction_15 = direction_14;
     sigma_7 = sigma_6;
     return vec3(0f);
 }
@@ -6743,13 +6442,13 @@ fn scenePixel(clip_1: vec4<f32>, size_21: vec2<f32>) -> vec2<f32> {
 
     clip_2 = clip_1;
     size_22 = size_21;
-    let _e35 = clip_2;
-    let _e38 = clip_2;
-    let _e42 = size_22;
-    let _e47 = clip_2;
-    let _e50 = clip_2;
-    let _e54 = size_22;
-    return vec2<f32>(((0.5f + ((0.5f * _e35.x) / _e38.w)) * _e42.x), ((0.5f - ((0.5f * _e47.y) / _e50.w)) * _e54.y));
+    let _e33 = clip_2;
+    let _e36 = clip_2;
+    let _e40 = size_22;
+    let _e45 = clip_2;
+    let _e48 = clip_2;
+    let _e52 = size_22;
+    return vec2<f32>(((0.5f + ((0.5f * _e33.x) / _e36.w)) * _e40.x), ((0.5f - ((0.5f * _e45.y) / _e48.w)) * _e52.y));
 }
 
 fn sceneGuess(origin_4: vec4<f32>, along_10: vec4<f32>, view_11: SceneView) -> SceneIntersection {
@@ -6758,11 +6457,11 @@ fn sceneGuess(origin_4: vec4<f32>, along_10: vec4<f32>, view_11: SceneView) -> S
     var view_12: SceneView;
     var met_1: SceneIntersection;
     var at_15: vec2<f32>;
-    var k_22: i32 = 0i;
+    var k_18: i32 = 0i;
     var depth_7: f32;
     var sky: bool;
-    var local_77: f32;
-    var local_78: vec4<f32>;
+    var local_65: f32;
+    var local_66: vec4<f32>;
     var there: vec4<f32>;
     var next: vec2<f32>;
 
@@ -6772,71 +6471,71 @@ fn sceneGuess(origin_4: vec4<f32>, along_10: vec4<f32>, view_11: SceneView) -> S
     met_1.seen = false;
     met_1.behind = 0f;
     met_1.metres = -1f;
-    let _e43 = origin_5;
-    let _e44 = view_12;
-    let _e46 = scenePixel(_e43, _e44.size);
-    at_15 = _e46;
+    let _e41 = origin_5;
+    let _e42 = view_12;
+    let _e44 = scenePixel(_e41, _e42.size);
+    at_15 = _e44;
     loop {
-        let _e50 = k_22;
-        let _e52 = met_1;
-        if !(((_e50 < SCENE_GUESSES) && !(_e52.seen))) {
+        let _e48 = k_18;
+        let _e50 = met_1;
+        if !(((_e48 < SCENE_GUESSES) && !(_e50.seen))) {
             break;
         }
         {
-            let _e60 = at_15;
-            let _e61 = engineSceneDepth(_e60);
-            depth_7 = _e61;
-            let _e63 = depth_7;
-            sky = (_e63 > 100000000000000000000000000000f);
-            let _e68 = sky;
-            if _e68 {
-                local_77 = -1f;
+            let _e58 = at_15;
+            let _e59 = engineSceneDepth(_e58);
+            depth_7 = _e59;
+            let _e61 = depth_7;
+            sky = (_e61 > 100000000000000000000000000000f);
+            let _e66 = sky;
+            if _e66 {
+                local_65 = -1f;
             } else {
-                let _e71 = depth_7;
-                let _e72 = origin_5;
-                let _e75 = along_11;
-                local_77 = ((_e71 - _e72.w) / _e75.w);
+                let _e69 = depth_7;
+                let _e70 = origin_5;
+                let _e73 = along_11;
+                local_65 = ((_e69 - _e70.w) / _e73.w);
             }
-            let _e79 = local_77;
-            met_1.metres = _e79;
-            let _e80 = along_11;
-            let _e85 = sky;
-            let _e87 = met_1;
-            if (!((_e80.w > 0f)) || (!(_e85) && (_e87.metres < 0f))) {
+            let _e77 = local_65;
+            met_1.metres = _e77;
+            let _e78 = along_11;
+            let _e83 = sky;
+            let _e85 = met_1;
+            if (!((_e78.w > 0f)) || (!(_e83) && (_e85.metres < 0f))) {
                 break;
             }
-            let _e93 = sky;
-            if _e93 {
-                let _e94 = along_11;
-                local_78 = _e94;
+            let _e91 = sky;
+            if _e91 {
+                let _e92 = along_11;
+                local_66 = _e92;
             } else {
-                let _e95 = origin_5;
-                let _e96 = met_1;
-                let _e98 = along_11;
-                local_78 = (_e95 + (_e96.metres * _e98));
+                let _e93 = origin_5;
+                let _e94 = met_1;
+                let _e96 = along_11;
+                local_66 = (_e93 + (_e94.metres * _e96));
             }
-            let _e102 = local_78;
-            there = _e102;
-            let _e104 = there;
-            let _e105 = view_12;
-            let _e107 = scenePixel(_e104, _e105.size);
-            next = _e107;
-            let _e110 = k_22;
-            let _e113 = next;
-            let _e115 = at_15;
-            let _e122 = next;
-            let _e124 = at_15;
-            met_1.seen = (((_e110 > 0i) && (abs((_e113.x - _e115.x)) < 1f)) && (abs((_e122.y - _e124.y)) < 1f));
-            let _e131 = next;
-            at_15 = _e131;
+            let _e100 = local_66;
+            there = _e100;
+            let _e102 = there;
+            let _e103 = view_12;
+            let _e105 = scenePixel(_e102, _e103.size);
+            next = _e105;
+            let _e108 = k_18;
+            let _e111 = next;
+            let _e113 = at_15;
+            let _e120 = next;
+            let _e122 = at_15;
+            met_1.seen = (((_e108 > 0i) && (abs((_e111.x - _e113.x)) < 1f)) && (abs((_e120.y - _e122.y)) < 1f));
+            let _e129 = next;
+            at_15 = _e129;
         }
         continuing {
-            let _e57 = k_22;
-            k_22 = (_e57 + 1i);
+            let _e55 = k_18;
+            k_18 = (_e55 + 1i);
         }
     }
-    let _e132 = met_1;
-    return _e132;
+    let _e130 = met_1;
+    return _e130;
 }
 
 fn sceneShown(origin_6: vec4<f32>, way_4: vec4<f32>) -> f32 {
@@ -6849,38 +6548,38 @@ fn sceneShown(origin_6: vec4<f32>, way_4: vec4<f32>) -> f32 {
 
     origin_7 = origin_6;
     way_5 = way_4;
+    let _e31 = origin_7;
     let _e33 = origin_7;
-    let _e35 = origin_7;
+    let _e36 = origin_7;
     let _e38 = origin_7;
-    let _e40 = origin_7;
+    let _e41 = origin_7;
     let _e43 = origin_7;
-    let _e45 = origin_7;
+    let _e46 = origin_7;
     let _e48 = origin_7;
-    let _e50 = origin_7;
-    room_1 = max(vec4<f32>((_e33.w - _e35.x), (_e38.w + _e40.x), (_e43.w - _e45.y), (_e48.w + _e50.y)), vec4(0f));
+    room_1 = max(vec4<f32>((_e31.w - _e33.x), (_e36.w + _e38.x), (_e41.w - _e43.y), (_e46.w + _e48.y)), vec4(0f));
+    let _e56 = way_5;
     let _e58 = way_5;
-    let _e60 = way_5;
-    let _e63 = way_5;
-    let _e66 = way_5;
+    let _e61 = way_5;
+    let _e64 = way_5;
+    let _e67 = way_5;
     let _e69 = way_5;
-    let _e71 = way_5;
-    let _e74 = way_5;
-    let _e77 = way_5;
-    loss = vec4<f32>((_e58.x - _e60.w), (-(_e63.x) - _e66.w), (_e69.y - _e71.w), (-(_e74.y) - _e77.w));
+    let _e72 = way_5;
+    let _e75 = way_5;
+    loss = vec4<f32>((_e56.x - _e58.w), (-(_e61.x) - _e64.w), (_e67.y - _e69.w), (-(_e72.y) - _e75.w));
+    let _e80 = room_1;
+    let _e81 = loss;
     let _e82 = room_1;
-    let _e83 = loss;
-    let _e84 = room_1;
-    cut = min((_e82 / max(max(_e83, _e84), vec4(0.000000000000000000000000000001f))), vec4(1f));
+    cut = min((_e80 / max(max(_e81, _e82), vec4(0.000000000000000000000000000001f))), vec4(1f));
+    let _e92 = cut;
     let _e94 = cut;
-    let _e96 = cut;
+    let _e97 = cut;
     let _e99 = cut;
-    let _e101 = cut;
-    end = min(min(_e94.x, _e96.y), min(_e99.z, _e101.w));
-    let _e106 = end;
-    let _e108 = origin_7;
-    let _e111 = way_5;
-    let _e115 = origin_7;
-    return min(_e106, ((0.99f * _e108.w) / max(-(_e111.w), (0.99f * _e115.w))));
+    end = min(min(_e92.x, _e94.y), min(_e97.z, _e99.w));
+    let _e104 = end;
+    let _e106 = origin_7;
+    let _e109 = way_5;
+    let _e113 = origin_7;
+    return min(_e104, ((0.99f * _e106.w) / max(-(_e109.w), (0.99f * _e113.w))));
 }
 
 fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> SceneIntersection {
@@ -6890,7 +6589,7 @@ fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> S
     var way_6: vec4<f32>;
     var end_1: f32;
     var to: vec4<f32>;
-    var a_32: vec3<f32>;
+    var a_31: vec3<f32>;
     var b_22: vec3<f32>;
     var met_2: SceneIntersection;
     var low_7: f32 = 0f;
@@ -6899,23 +6598,23 @@ fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> S
     var heightHigh: f32 = 0f;
     var crossed: bool = false;
     var depth_8: f32 = 0f;
-    var k_23: i32 = 1i;
+    var k_19: i32 = 1i;
     var p_8: vec3<f32>;
     var beyond: f32;
     var bordered: bool;
-    var local_79: f32;
+    var local_67: f32;
     var gap: f32;
-    var k_24: i32 = 0i;
-    var local_80: f32;
+    var k_20: i32 = 0i;
+    var local_68: f32;
     var share_3: f32;
     var u_17: f32;
     var p_9: vec3<f32>;
     var height_2: f32;
     var front: bool;
-    var local_81: f32;
-    var local_82: f32;
-    var local_83: f32;
-    var local_84: f32;
+    var local_69: f32;
+    var local_70: f32;
+    var local_71: f32;
+    var local_72: f32;
     var u_18: f32;
     var near: f32;
     var far: f32;
@@ -6924,251 +6623,251 @@ fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> S
     origin_9 = origin_8;
     along_13 = along_12;
     view_14 = view_13;
-    let _e35 = view_14;
-    let _e37 = along_13;
-    way_6 = (_e35.reach * _e37);
-    let _e40 = origin_9;
-    let _e41 = way_6;
-    let _e42 = sceneShown(_e40, _e41);
-    end_1 = _e42;
-    let _e44 = origin_9;
-    let _e45 = end_1;
-    let _e46 = way_6;
-    to = (_e44 + (_e45 * _e46));
+    let _e33 = view_14;
+    let _e35 = along_13;
+    way_6 = (_e33.reach * _e35);
+    let _e38 = origin_9;
+    let _e39 = way_6;
+    let _e40 = sceneShown(_e38, _e39);
+    end_1 = _e40;
+    let _e42 = origin_9;
+    let _e43 = end_1;
+    let _e44 = way_6;
+    to = (_e42 + (_e43 * _e44));
+    let _e48 = origin_9;
     let _e50 = origin_9;
-    let _e52 = origin_9;
-    let _e56 = origin_9;
-    a_32 = (vec3<f32>(_e50.x, _e52.y, 1f) / vec3(_e56.w));
+    let _e54 = origin_9;
+    a_31 = (vec3<f32>(_e48.x, _e50.y, 1f) / vec3(_e54.w));
+    let _e59 = to;
     let _e61 = to;
-    let _e63 = to;
-    let _e67 = to;
-    b_22 = (vec3<f32>(_e61.x, _e63.y, 1f) / vec3(_e67.w));
+    let _e65 = to;
+    b_22 = (vec3<f32>(_e59.x, _e61.y, 1f) / vec3(_e65.w));
     met_2.seen = false;
     met_2.behind = 0f;
     met_2.metres = -1f;
     loop {
-        let _e94 = k_23;
-        let _e96 = crossed;
-        if !(((_e94 <= SCENE_STEPS) && !(_e96))) {
+        let _e92 = k_19;
+        let _e94 = crossed;
+        if !(((_e92 <= SCENE_STEPS) && !(_e94))) {
             break;
         }
         {
-            let _e103 = k_23;
-            high_2 = (f32(_e103) / 12f);
-            let _e108 = a_32;
-            let _e109 = b_22;
-            let _e110 = high_2;
-            p_8 = mix(_e108, _e109, vec3(_e110));
-            let _e116 = p_8;
-            let _e120 = view_14;
-            let _e126 = p_8;
-            let _e130 = view_14;
-            let _e135 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e116.x)) * _e120.size.x), ((0.5f - (0.5f * _e126.y)) * _e130.size.y)));
-            depth_8 = _e135;
-            let _e136 = p_8;
-            let _e139 = depth_8;
-            heightHigh = (_e136.z - (1f / _e139));
-            let _e142 = heightHigh;
-            let _e145 = k_23;
-            let _e148 = heightLow;
-            crossed = ((_e142 < 0f) && ((_e145 == 1i) || (_e148 >= 0f)));
-            let _e153 = crossed;
-            if !(_e153) {
+            let _e101 = k_19;
+            high_2 = (f32(_e101) / 12f);
+            let _e106 = a_31;
+            let _e107 = b_22;
+            let _e108 = high_2;
+            p_8 = mix(_e106, _e107, vec3(_e108));
+            let _e114 = p_8;
+            let _e118 = view_14;
+            let _e124 = p_8;
+            let _e128 = view_14;
+            let _e133 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e114.x)) * _e118.size.x), ((0.5f - (0.5f * _e124.y)) * _e128.size.y)));
+            depth_8 = _e133;
+            let _e134 = p_8;
+            let _e137 = depth_8;
+            heightHigh = (_e134.z - (1f / _e137));
+            let _e140 = heightHigh;
+            let _e143 = k_19;
+            let _e146 = heightLow;
+            crossed = ((_e140 < 0f) && ((_e143 == 1i) || (_e146 >= 0f)));
+            let _e151 = crossed;
+            if !(_e151) {
                 {
-                    let _e155 = high_2;
-                    low_7 = _e155;
-                    let _e156 = heightHigh;
-                    heightLow = _e156;
+                    let _e153 = high_2;
+                    low_7 = _e153;
+                    let _e154 = heightHigh;
+                    heightLow = _e154;
                 }
             }
         }
         continuing {
-            let _e100 = k_23;
-            k_23 = (_e100 + 1i);
+            let _e98 = k_19;
+            k_19 = (_e98 + 1i);
         }
     }
-    let _e157 = crossed;
-    if !(_e157) {
+    let _e155 = crossed;
+    if !(_e155) {
         {
-            let _e159 = depth_8;
-            let _e160 = origin_9;
-            let _e163 = along_13;
-            beyond = ((_e159 - _e160.w) / _e163.w);
-            let _e167 = end_1;
-            let _e170 = depth_8;
-            let _e174 = heightHigh;
-            let _e178 = beyond;
-            bordered = ((((_e167 < 1f) && (_e170 < 100000000000000000000000000000f)) && (_e174 >= 0f)) && (_e178 > 0f));
-            let _e184 = bordered;
-            if _e184 {
-                let _e185 = beyond;
-                local_79 = _e185;
+            let _e157 = depth_8;
+            let _e158 = origin_9;
+            let _e161 = along_13;
+            beyond = ((_e157 - _e158.w) / _e161.w);
+            let _e165 = end_1;
+            let _e168 = depth_8;
+            let _e172 = heightHigh;
+            let _e176 = beyond;
+            bordered = ((((_e165 < 1f) && (_e168 < 100000000000000000000000000000f)) && (_e172 >= 0f)) && (_e176 > 0f));
+            let _e182 = bordered;
+            if _e182 {
+                let _e183 = beyond;
+                local_67 = _e183;
             } else {
-                local_79 = -1f;
+                local_67 = -1f;
             }
-            let _e189 = local_79;
-            met_2.metres = _e189;
-            let _e191 = bordered;
-            let _e192 = heightHigh;
-            let _e195 = depth_8;
-            let _e199 = along_13;
-            met_2.seen = (_e191 || (((_e192 >= 0f) && (_e195 > 100000000000000000000000000000f)) && (_e199.w > 0f)));
-            let _e205 = met_2;
-            return _e205;
+            let _e187 = local_67;
+            met_2.metres = _e187;
+            let _e189 = bordered;
+            let _e190 = heightHigh;
+            let _e193 = depth_8;
+            let _e197 = along_13;
+            met_2.seen = (_e189 || (((_e190 >= 0f) && (_e193 > 100000000000000000000000000000f)) && (_e197.w > 0f)));
+            let _e203 = met_2;
+            return _e203;
         }
     }
-    let _e206 = heightLow;
-    let _e207 = heightHigh;
-    gap = max((_e206 - _e207), LEAST_DIVISOR);
+    let _e204 = heightLow;
+    let _e205 = heightHigh;
+    gap = max((_e204 - _e205), LEAST_DIVISOR);
     loop {
-        let _e213 = k_24;
-        if !((_e213 < SCENE_SECANTS)) {
+        let _e211 = k_20;
+        if !((_e211 < SCENE_SECANTS)) {
             break;
         }
         {
-            let _e219 = k_24;
-            if ((_e219 % 2i) == 0i) {
-                local_80 = 0.5f;
+            let _e217 = k_20;
+            if ((_e217 % 2i) == 0i) {
+                local_68 = 0.5f;
             } else {
-                let _e225 = heightLow;
-                let _e226 = heightLow;
-                let _e227 = heightHigh;
-                local_80 = (_e225 / max((_e226 - _e227), LEAST_DIVISOR));
+                let _e223 = heightLow;
+                let _e224 = heightLow;
+                let _e225 = heightHigh;
+                local_68 = (_e223 / max((_e224 - _e225), LEAST_DIVISOR));
             }
-            let _e232 = local_80;
-            share_3 = _e232;
-            let _e234 = low_7;
-            let _e235 = high_2;
-            let _e236 = share_3;
-            u_17 = mix(_e234, _e235, clamp(_e236, 0f, 1f));
-            let _e242 = a_32;
-            let _e243 = b_22;
-            let _e244 = u_17;
-            p_9 = mix(_e242, _e243, vec3(_e244));
-            let _e250 = p_9;
-            let _e254 = view_14;
-            let _e260 = p_9;
-            let _e264 = view_14;
-            let _e269 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e250.x)) * _e254.size.x), ((0.5f - (0.5f * _e260.y)) * _e264.size.y)));
-            depth_8 = _e269;
-            let _e270 = p_9;
-            let _e273 = depth_8;
-            height_2 = (_e270.z - (1f / _e273));
-            let _e277 = height_2;
-            front = (_e277 >= 0f);
-            let _e281 = front;
-            if _e281 {
-                let _e282 = u_17;
-                local_81 = _e282;
+            let _e230 = local_68;
+            share_3 = _e230;
+            let _e232 = low_7;
+            let _e233 = high_2;
+            let _e234 = share_3;
+            u_17 = mix(_e232, _e233, clamp(_e234, 0f, 1f));
+            let _e240 = a_31;
+            let _e241 = b_22;
+            let _e242 = u_17;
+            p_9 = mix(_e240, _e241, vec3(_e242));
+            let _e248 = p_9;
+            let _e252 = view_14;
+            let _e258 = p_9;
+            let _e262 = view_14;
+            let _e267 = engineSceneDepth(vec2<f32>(((0.5f + (0.5f * _e248.x)) * _e252.size.x), ((0.5f - (0.5f * _e258.y)) * _e262.size.y)));
+            depth_8 = _e267;
+            let _e268 = p_9;
+            let _e271 = depth_8;
+            height_2 = (_e268.z - (1f / _e271));
+            let _e275 = height_2;
+            front = (_e275 >= 0f);
+            let _e279 = front;
+            if _e279 {
+                let _e280 = u_17;
+                local_69 = _e280;
             } else {
-                let _e283 = low_7;
-                local_81 = _e283;
+                let _e281 = low_7;
+                local_69 = _e281;
             }
-            let _e285 = local_81;
-            low_7 = _e285;
-            let _e286 = front;
-            if _e286 {
-                let _e287 = height_2;
-                local_82 = _e287;
+            let _e283 = local_69;
+            low_7 = _e283;
+            let _e284 = front;
+            if _e284 {
+                let _e285 = height_2;
+                local_70 = _e285;
             } else {
-                let _e288 = heightLow;
-                local_82 = _e288;
+                let _e286 = heightLow;
+                local_70 = _e286;
             }
-            let _e290 = local_82;
-            heightLow = _e290;
-            let _e291 = front;
-            if _e291 {
-                let _e292 = high_2;
-                local_83 = _e292;
+            let _e288 = local_70;
+            heightLow = _e288;
+            let _e289 = front;
+            if _e289 {
+                let _e290 = high_2;
+                local_71 = _e290;
             } else {
-                let _e293 = u_17;
-                local_83 = _e293;
+                let _e291 = u_17;
+                local_71 = _e291;
             }
-            let _e295 = local_83;
-            high_2 = _e295;
-            let _e296 = front;
-            if _e296 {
-                let _e297 = heightHigh;
-                local_84 = _e297;
+            let _e293 = local_71;
+            high_2 = _e293;
+            let _e294 = front;
+            if _e294 {
+                let _e295 = heightHigh;
+                local_72 = _e295;
             } else {
-                let _e298 = height_2;
-                local_84 = _e298;
+                let _e296 = height_2;
+                local_72 = _e296;
             }
-            let _e300 = local_84;
-            heightHigh = _e300;
+            let _e298 = local_72;
+            heightHigh = _e298;
         }
         continuing {
-            let _e216 = k_24;
-            k_24 = (_e216 + 1i);
+            let _e214 = k_20;
+            k_20 = (_e214 + 1i);
         }
     }
-    let _e301 = low_7;
-    let _e302 = high_2;
-    let _e303 = heightLow;
-    let _e304 = heightLow;
-    let _e305 = heightHigh;
-    u_18 = mix(_e301, _e302, (_e303 / max((_e304 - _e305), LEAST_DIVISOR)));
-    let _e312 = u_18;
-    let _e314 = origin_9;
-    near = ((1f - _e312) / _e314.w);
-    let _e318 = u_18;
-    let _e319 = to;
-    far = (_e318 / _e319.w);
-    let _e324 = view_14;
-    let _e326 = end_1;
-    let _e328 = far;
-    let _e330 = near;
-    let _e331 = far;
-    met_2.metres = (((_e324.reach * _e326) * _e328) / (_e330 + _e331));
+    let _e299 = low_7;
+    let _e300 = high_2;
+    let _e301 = heightLow;
+    let _e302 = heightLow;
+    let _e303 = heightHigh;
+    u_18 = mix(_e299, _e300, (_e301 / max((_e302 - _e303), LEAST_DIVISOR)));
+    let _e310 = u_18;
+    let _e312 = origin_9;
+    near = ((1f - _e310) / _e312.w);
+    let _e316 = u_18;
+    let _e317 = to;
+    far = (_e316 / _e317.w);
+    let _e322 = view_14;
+    let _e324 = end_1;
+    let _e326 = far;
+    let _e328 = near;
+    let _e329 = far;
+    met_2.metres = (((_e322.reach * _e324) * _e326) / (_e328 + _e329));
     met_2.seen = true;
-    let _e336 = heightLow;
-    let _e337 = heightHigh;
-    let _e340 = gap;
-    let _e343 = gap;
-    surface_6 = (((_e336 - _e337) < (0.5f * _e340)) || (_e343 < 0.000001f));
-    let _e348 = surface_6;
-    if !(_e348) {
-        let _e352 = near;
-        let _e353 = far;
-        let _e357 = depth_8;
-        met_2.behind = max(((1f / max((_e352 + _e353), LEAST_DIVISOR)) - _e357), 0f);
+    let _e334 = heightLow;
+    let _e335 = heightHigh;
+    let _e338 = gap;
+    let _e341 = gap;
+    surface_6 = (((_e334 - _e335) < (0.5f * _e338)) || (_e341 < 0.000001f));
+    let _e346 = surface_6;
+    if !(_e346) {
+        let _e350 = near;
+        let _e351 = far;
+        let _e355 = depth_8;
+        met_2.behind = max(((1f / max((_e350 + _e351), LEAST_DIVISOR)) - _e355), 0f);
     }
-    let _e361 = met_2;
-    return _e361;
+    let _e359 = met_2;
+    return _e359;
 }
 
-fn sceneIntersection(origin_10: vec3<f32>, direction_18: vec3<f32>, view_15: SceneView) -> SceneIntersection {
+fn sceneIntersection(origin_10: vec3<f32>, direction_16: vec3<f32>, view_15: SceneView) -> SceneIntersection {
     var origin_11: vec3<f32>;
-    var direction_19: vec3<f32>;
+    var direction_17: vec3<f32>;
     var view_16: SceneView;
     var from_: vec4<f32>;
     var along_14: vec4<f32>;
     var met_3: SceneIntersection;
 
     origin_11 = origin_10;
-    direction_19 = direction_18;
+    direction_17 = direction_16;
     view_16 = view_15;
-    let _e35 = view_16;
-    let _e37 = origin_11;
-    from_ = (_e35.clipFromWorld * vec4<f32>(_e37.x, _e37.y, _e37.z, 1f));
-    let _e45 = view_16;
-    let _e47 = direction_19;
-    along_14 = (_e45.clipFromWorld * vec4<f32>(_e47.x, _e47.y, _e47.z, 0f));
-    let _e55 = from_;
-    let _e56 = along_14;
-    let _e57 = view_16;
-    let _e58 = sceneGuess(_e55, _e56, _e57);
-    met_3 = _e58;
-    let _e60 = met_3;
-    if !(_e60.seen) {
-        let _e63 = from_;
-        let _e64 = along_14;
-        let _e65 = view_16;
-        let _e66 = sceneMarch(_e63, _e64, _e65);
-        met_3 = _e66;
+    let _e33 = view_16;
+    let _e35 = origin_11;
+    from_ = (_e33.clipFromWorld * vec4<f32>(_e35.x, _e35.y, _e35.z, 1f));
+    let _e43 = view_16;
+    let _e45 = direction_17;
+    along_14 = (_e43.clipFromWorld * vec4<f32>(_e45.x, _e45.y, _e45.z, 0f));
+    let _e53 = from_;
+    let _e54 = along_14;
+    let _e55 = view_16;
+    let _e56 = sceneGuess(_e53, _e54, _e55);
+    met_3 = _e56;
+    let _e58 = met_3;
+    if !(_e58.seen) {
+        let _e61 = from_;
+        let _e62 = along_14;
+        let _e63 = view_16;
+        let _e64 = sceneMarch(_e61, _e62, _e63);
+        met_3 = _e64;
     }
-    let _e67 = met_3;
-    return _e67;
+    let _e65 = met_3;
+    return _e65;
 }
 
 fn engineFace(layer: i32, at_16: vec2<f32>) -> vec4<f32> {
@@ -7188,40 +6887,40 @@ fn pixelSteps(view_17: SceneView) -> PixelSteps {
     var steps: PixelSteps;
 
     view_18 = view_17;
-    let _e40 = view_18.clipFromWorld[0][3];
-    let _e46 = view_18.clipFromWorld[1][3];
-    let _e52 = view_18.clipFromWorld[2][3];
-    forward = vec3<f32>(_e40, _e46, _e52);
-    let _e60 = view_18.clipFromWorld[0][0];
-    let _e66 = view_18.clipFromWorld[1][0];
-    let _e72 = view_18.clipFromWorld[2][0];
-    x_26 = vec3<f32>(_e60, _e66, _e72);
-    let _e80 = view_18.clipFromWorld[0][1];
-    let _e86 = view_18.clipFromWorld[1][1];
-    let _e92 = view_18.clipFromWorld[2][1];
-    y_11 = vec3<f32>(_e80, _e86, _e92);
-    let _e95 = x_26;
-    let _e96 = x_26;
-    let _e97 = forward;
-    let _e99 = forward;
-    x_26 = (_e95 - (dot(_e96, _e97) * _e99));
-    let _e102 = y_11;
-    let _e103 = y_11;
-    let _e104 = forward;
-    let _e106 = forward;
-    y_11 = (_e102 - (dot(_e103, _e104) * _e106));
-    let _e112 = view_18;
-    let _e115 = x_26;
-    let _e116 = x_26;
-    let _e120 = x_26;
-    steps.right = ((2f / (_e112.size.x * dot(_e115, _e116))) * _e120);
-    let _e125 = view_18;
-    let _e128 = y_11;
-    let _e129 = y_11;
-    let _e133 = y_11;
-    steps.down = ((-2f / (_e125.size.y * dot(_e128, _e129))) * _e133);
-    let _e135 = steps;
-    return _e135;
+    let _e37 = view_18.clipFromWorld[0][3];
+    let _e43 = view_18.clipFromWorld[1][3];
+    let _e49 = view_18.clipFromWorld[2][3];
+    forward = vec3<f32>(_e37, _e43, _e49);
+    let _e57 = view_18.clipFromWorld[0][0];
+    let _e63 = view_18.clipFromWorld[1][0];
+    let _e69 = view_18.clipFromWorld[2][0];
+    x_26 = vec3<f32>(_e57, _e63, _e69);
+    let _e77 = view_18.clipFromWorld[0][1];
+    let _e83 = view_18.clipFromWorld[1][1];
+    let _e89 = view_18.clipFromWorld[2][1];
+    y_11 = vec3<f32>(_e77, _e83, _e89);
+    let _e92 = x_26;
+    let _e93 = x_26;
+    let _e94 = forward;
+    let _e96 = forward;
+    x_26 = (_e92 - (dot(_e93, _e94) * _e96));
+    let _e99 = y_11;
+    let _e100 = y_11;
+    let _e101 = forward;
+    let _e103 = forward;
+    y_11 = (_e99 - (dot(_e100, _e101) * _e103));
+    let _e109 = view_18;
+    let _e112 = x_26;
+    let _e113 = x_26;
+    let _e117 = x_26;
+    steps.right = ((2f / (_e109.size.x * dot(_e112, _e113))) * _e117);
+    let _e122 = view_18;
+    let _e125 = y_11;
+    let _e126 = y_11;
+    let _e130 = y_11;
+    steps.down = ((-2f / (_e122.size.y * dot(_e125, _e126))) * _e130);
+    let _e132 = steps;
+    return _e132;
 }
 
 fn backFaceAt(at_18: vec2<f32>, p_10: vec3<f32>, which: FaceLayer, steps_1: PixelSteps, view_19: SceneView) -> BackFace {
@@ -7233,50 +6932,50 @@ fn backFaceAt(at_18: vec2<f32>, p_10: vec3<f32>, which: FaceLayer, steps_1: Pixe
     var texel_4: vec4<f32>;
     var off_1: vec2<f32>;
     var face_6: BackFace;
-    var local_85: bool;
+    var local_73: bool;
 
     at_19 = at_18;
     p_11 = p_10;
     which_1 = which;
     steps_2 = steps_1;
     view_20 = view_19;
-    let _e43 = which_1;
+    let _e40 = which_1;
+    let _e42 = at_19;
+    let _e43 = engineFace(_e40.layer, _e42);
+    texel_4 = _e43;
     let _e45 = at_19;
-    let _e46 = engineFace(_e43.layer, _e45);
-    texel_4 = _e46;
-    let _e48 = at_19;
-    let _e53 = at_19;
-    off_1 = ((floor(_e48) + vec2(0.5f)) - _e53);
-    let _e58 = view_20;
-    let _e60 = texel_4;
-    let _e62 = p_11;
-    let _e63 = off_1;
-    let _e65 = steps_2;
-    let _e69 = off_1;
-    let _e71 = steps_2;
-    face_6.point = (_e58.eye + (_e60.z * ((_e62 + (_e63.x * _e65.right)) + (_e69.y * _e71.down))));
-    let _e78 = which_1;
-    let _e80 = texel_4;
-    let _e82 = texel_4;
-    let _e85 = octDecode(vec2<f32>(_e80.x, _e82.y));
-    face_6.n = (_e78.side * _e85);
-    let _e89 = texel_4;
-    face_6.alpha = (2f * fract(_e89.w));
-    let _e94 = texel_4;
-    face_6.number = floor(_e94.w);
-    let _e98 = which_1;
-    if (_e98.number < 0f) {
-        let _e102 = face_6;
-        local_85 = (_e102.number > 0f);
+    let _e50 = at_19;
+    off_1 = ((floor(_e45) + vec2(0.5f)) - _e50);
+    let _e55 = view_20;
+    let _e57 = texel_4;
+    let _e59 = p_11;
+    let _e60 = off_1;
+    let _e62 = steps_2;
+    let _e66 = off_1;
+    let _e68 = steps_2;
+    face_6.point = (_e55.eye + (_e57.z * ((_e59 + (_e60.x * _e62.right)) + (_e66.y * _e68.down))));
+    let _e75 = which_1;
+    let _e77 = texel_4;
+    let _e79 = texel_4;
+    let _e82 = octDecode(vec2<f32>(_e77.x, _e79.y));
+    face_6.n = (_e75.side * _e82);
+    let _e86 = texel_4;
+    face_6.alpha = (2f * fract(_e86.w));
+    let _e91 = texel_4;
+    face_6.number = floor(_e91.w);
+    let _e95 = which_1;
+    if (_e95.number < 0f) {
+        let _e99 = face_6;
+        local_73 = (_e99.number > 0f);
     } else {
-        let _e106 = face_6;
-        let _e108 = which_1;
-        local_85 = (_e106.number == _e108.number);
+        let _e103 = face_6;
+        let _e105 = which_1;
+        local_73 = (_e103.number == _e105.number);
     }
-    let _e112 = local_85;
-    face_6.exists = _e112;
-    let _e113 = face_6;
-    return _e113;
+    let _e109 = local_73;
+    face_6.exists = _e109;
+    let _e110 = face_6;
+    return _e110;
 }
 
 fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, which_2: FaceLayer, steps_3: PixelSteps, view_21: SceneView) -> BackFace {
@@ -7294,25 +6993,326 @@ fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, which_2: Fac
     which_3 = which_2;
     steps_4 = steps_3;
     view_22 = view_21;
-    let _e45 = at_21;
-    let _e46 = p_13;
-    let _e47 = which_3;
-    let _e48 = steps_4;
-    let _e49 = view_22;
-    let _e50 = backFaceAt(_e45, _e46, _e47, _e48, _e49);
-    beside_5 = _e50;
-    let _e52 = beside_5;
-    let _e54 = own_1;
-    let _e56 = own_1;
-    let _e58 = beside_5;
-    let _e60 = beside_5;
-    let _e62 = exitSame(_e54.point, _e56.n, _e58.point, _e60.n);
-    if (_e52.exists && _e62) {
-        let _e64 = beside_5;
-        return _e64;
+    let _e42 = at_21;
+    let _e43 = p_13;
+    let _e44 = which_3;
+    let _e45 = steps_4;
+    let _e46 = view_22;
+    let _e47 = backFaceAt(_e42, _e43, _e44, _e45, _e46);
+    beside_5 = _e47;
+    let _e49 = beside_5;
+    let _e51 = own_1;
+    let _e53 = own_1;
+    let _e55 = beside_5;
+    let _e57 = beside_5;
+    let _e59 = exitSame(_e51.point, _e53.n, _e55.point, _e57.n);
+    if (_e49.exists && _e59) {
+        let _e61 = beside_5;
+        return _e61;
     }
-    let _e65 = own_1;
-    return _e65;
+    let _e62 = own_1;
+    return _e62;
+}
+
+fn wideningGgx(lobes_2: i32) -> Widening {
+    var lobes_3: i32;
+    var k_21: Widening;
+    var local_74: f32;
+    var local_75: f32;
+    var local_76: f32;
+
+    lobes_3 = lobes_2;
+    let _e34 = lobes_3;
+    if (_e34 > 1i) {
+        local_74 = 0.7f;
+    } else {
+        local_74 = 0.6f;
+    }
+    let _e40 = local_74;
+    k_21.shape = _e40;
+    let _e42 = lobes_3;
+    if (_e42 > 1i) {
+        local_75 = 0.91f;
+    } else {
+        local_75 = 0.6f;
+    }
+    let _e48 = local_75;
+    k_21.shapeRays = _e48;
+    let _e50 = lobes_3;
+    if (_e50 > 1i) {
+        local_76 = 1.05f;
+    } else {
+        local_76 = 0.95f;
+    }
+    let _e56 = local_76;
+    k_21.energyCore = _e56;
+    k_21.energyTail = 0.85f;
+    let _e59 = k_21;
+    return _e59;
+}
+
+fn wideningBeckmann(lobes_4: i32) -> Widening {
+    var lobes_5: i32;
+    var k_22: Widening;
+    var local_77: f32;
+    var local_78: f32;
+    var local_79: f32;
+
+    lobes_5 = lobes_4;
+    let _e34 = lobes_5;
+    if (_e34 > 1i) {
+        local_77 = 1f;
+    } else {
+        local_77 = 1.2f;
+    }
+    let _e40 = local_77;
+    k_22.shape = _e40;
+    let _e42 = lobes_5;
+    if (_e42 > 1i) {
+        local_78 = 1.3f;
+    } else {
+        local_78 = 1.2f;
+    }
+    let _e48 = local_78;
+    k_22.shapeRays = _e48;
+    let _e50 = lobes_5;
+    if (_e50 > 1i) {
+        local_79 = 1.3f;
+    } else {
+        local_79 = 1.5f;
+    }
+    let _e56 = local_79;
+    k_22.energyCore = _e56;
+    k_22.energyTail = 1.6f;
+    let _e59 = k_22;
+    return _e59;
+}
+
+fn exitTurn(cosTheta_36: f32, pathLength: f32, curvature_1: vec2<f32>) -> vec2<f32> {
+    var cosTheta_37: f32;
+    var pathLength_1: f32;
+    var curvature_2: vec2<f32>;
+    var turn_1: vec2<f32>;
+
+    cosTheta_37 = cosTheta_36;
+    pathLength_1 = pathLength;
+    curvature_2 = curvature_1;
+    let _e36 = pathLength_1;
+    let _e37 = curvature_2;
+    let _e40 = cosTheta_37;
+    let _e43 = pathLength_1;
+    let _e44 = curvature_2;
+    turn_1 = vec2<f32>(((_e36 * _e37.x) / max(_e40, LEAST_LENGTH)), (_e43 * _e44.y));
+    let _e49 = turn_1;
+    return clamp(_e49, vec2(-8f), vec2(8f));
+}
+
+fn sphereTurn(cosTheta_38: f32) -> vec2<f32> {
+    var cosTheta_39: f32;
+
+    cosTheta_39 = cosTheta_38;
+    let _e34 = cosTheta_39;
+    return vec2<f32>(2f, (2f * _e34));
+}
+
+fn seeExit(inner: InnerLobe, core: bool, s_15: ExitSurface, k_23: Widening) -> ExitView {
+    var inner_1: InnerLobe;
+    var core_1: bool;
+    var s_16: ExitSurface;
+    var k_24: Widening;
+    var v_32: ExitView;
+    var local_80: f32;
+    var alpha2_: f32;
+    var spread_3: f32;
+    var spread2_: f32;
+    var rays2_: f32;
+    var local_81: f32;
+    var rays: f32;
+    var shape_1: f32;
+    var shape2_: f32;
+    var local_82: f32;
+    var energy: f32;
+    var local_83: f32;
+
+    inner_1 = inner;
+    core_1 = core;
+    s_16 = s_15;
+    k_24 = k_23;
+    let _e41 = inner_1;
+    let _e43 = s_16;
+    v_32.cosTheta = min(dot(_e41.direction, _e43.n), 1f);
+    let _e50 = s_16;
+    v_32.swing = (1f - _e50.turn.x);
+    let _e55 = v_32;
+    if (_e55.swing < 0f) {
+        let _e59 = v_32;
+        local_80 = min(_e59.swing, -0.05f);
+    } else {
+        let _e64 = v_32;
+        local_80 = max(_e64.swing, LEAST_SWING);
+    }
+    let _e68 = local_80;
+    v_32.swing = _e68;
+    let _e69 = s_16;
+    let _e71 = s_16;
+    alpha2_ = (_e69.alpha * _e71.alpha);
+    let _e75 = inner_1;
+    let _e77 = v_32;
+    spread_3 = (_e75.sigma * _e77.swing);
+    let _e81 = spread_3;
+    let _e82 = spread_3;
+    spread2_ = (_e81 * _e82);
+    let _e85 = k_24;
+    let _e87 = k_24;
+    let _e90 = spread2_;
+    rays2_ = ((_e85.shape * _e87.shape) * _e90);
+    let _e93 = rays2_;
+    if (_e93 > 0f) {
+        let _e96 = rays2_;
+        let _e97 = alpha2_;
+        let _e98 = rays2_;
+        local_81 = (_e96 / (_e97 + _e98));
+    } else {
+        local_81 = 0f;
+    }
+    let _e103 = local_81;
+    rays = _e103;
+    let _e105 = k_24;
+    let _e107 = k_24;
+    let _e109 = rays;
+    shape_1 = mix(_e105.shape, _e107.shapeRays, _e109);
+    let _e112 = alpha2_;
+    let _e113 = shape_1;
+    let _e114 = shape_1;
+    let _e116 = spread2_;
+    shape2_ = (_e112 + ((_e113 * _e114) * _e116));
+    let _e120 = core_1;
+    if _e120 {
+        let _e121 = k_24;
+        local_82 = _e121.energyCore;
+    } else {
+        let _e123 = k_24;
+        local_82 = _e123.energyTail;
+    }
+    let _e126 = local_82;
+    energy = _e126;
+    let _e129 = shape2_;
+    v_32.alphaShape = min(sqrt(_e129), 1f);
+    let _e134 = alpha2_;
+    let _e135 = energy;
+    let _e136 = energy;
+    let _e138 = spread2_;
+    v_32.alphaEnergy = min(sqrt((_e134 + ((_e135 * _e136) * _e138))), 1f);
+    let _e145 = shape2_;
+    if (_e145 > 0f) {
+        let _e148 = alpha2_;
+        let _e149 = shape2_;
+        local_83 = (_e148 / _e149);
+    } else {
+        local_83 = 1f;
+    }
+    let _e153 = local_83;
+    v_32.own = _e153;
+    let _e154 = v_32;
+    return _e154;
+}
+
+fn leavingNextAlpha(innerSigma: f32, alpha_92: f32, nextAlpha: f32) -> f32 {
+    var innerSigma_1: f32;
+    var alpha_93: f32;
+    var nextAlpha_1: f32;
+    var spread_4: f32;
+
+    innerSigma_1 = innerSigma;
+    alpha_93 = alpha_92;
+    nextAlpha_1 = nextAlpha;
+    let _e39 = innerSigma_1;
+    spread_4 = (1.3f * _e39);
+    let _e42 = nextAlpha_1;
+    let _e43 = nextAlpha_1;
+    let _e46 = alpha_93;
+    let _e48 = alpha_93;
+    let _e51 = spread_4;
+    let _e52 = spread_4;
+    return min(sqrt((((_e42 * _e43) + ((3f * _e46) * _e48)) + (_e51 * _e52))), 1f);
+}
+
+fn convexExit(n_47: vec3<f32>, direction_18: vec3<f32>, body: ConvexBody) -> ConvexExit {
+    var n_48: vec3<f32>;
+    var direction_19: vec3<f32>;
+    var body_1: ConvexBody;
+    var q_1: f32;
+    var c_30: f32;
+    var a_32: f32;
+    var root_2: f32;
+    var local_84: f32;
+    var scaled: f32;
+    var e_6: ConvexExit;
+    var local_85: f32;
+    var curvature_3: f32;
+
+    n_48 = n_47;
+    direction_19 = direction_18;
+    body_1 = body;
+    let _e38 = body_1;
+    let _e40 = body_1;
+    q_1 = clamp((_e38.thickness * _e40.curvature), 0f, 2f);
+    let _e47 = n_48;
+    let _e48 = direction_19;
+    c_30 = max(-(dot(_e47, _e48)), 0.05f);
+    let _e55 = q_1;
+    let _e57 = c_30;
+    a_32 = ((1f - _e55) * _e57);
+    let _e60 = a_32;
+    let _e61 = a_32;
+    let _e63 = q_1;
+    let _e65 = q_1;
+    root_2 = sqrt(((_e60 * _e61) + (_e63 * (2f - _e65))));
+    let _e71 = q_1;
+    if (_e71 < 1f) {
+        let _e75 = q_1;
+        let _e77 = a_32;
+        let _e78 = root_2;
+        local_84 = ((2f - _e75) / (_e77 + _e78));
+    } else {
+        let _e81 = root_2;
+        let _e82 = a_32;
+        let _e84 = q_1;
+        local_84 = ((_e81 - _e82) / _e84);
+    }
+    let _e87 = local_84;
+    scaled = _e87;
+    let _e91 = scaled;
+    let _e92 = body_1;
+    e_6.path = (_e91 * _e92.thickness);
+    let _e97 = q_1;
+    let _e100 = n_48;
+    let _e102 = q_1;
+    let _e103 = scaled;
+    let _e105 = direction_19;
+    e_6.surface.n = normalize((((_e97 - 1f) * _e100) + ((_e102 * _e103) * _e105)));
+    let _e111 = body_1;
+    e_6.surface.alpha = _e111.backAlpha;
+    let _e116 = body_1;
+    e_6.surface.eta = (1f / _e116.ior);
+    let _e119 = body_1;
+    if (_e119.thickness > 0f) {
+        let _e123 = q_1;
+        let _e124 = body_1;
+        local_85 = (_e123 / _e124.thickness);
+    } else {
+        local_85 = 0f;
+    }
+    let _e129 = local_85;
+    curvature_3 = _e129;
+    let _e133 = direction_19;
+    let _e134 = e_6;
+    let _e138 = e_6;
+    let _e140 = curvature_3;
+    let _e142 = exitTurn(dot(_e133, _e134.surface.n), _e138.path, vec2(_e140));
+    e_6.surface.turn = _e142;
+    let _e143 = e_6;
+    return _e143;
 }
 
 fn backFaceBetween(face_7: BackFace, at_22: vec2<f32>, hit: vec2<f32>, p_14: vec3<f32>, which_4: FaceLayer, origin_12: vec3<f32>, direction_20: vec3<f32>, steps_5: PixelSteps, view_23: SceneView) -> BackFaceExit {
@@ -8649,145 +8649,24 @@ fn reflectGlass(face_10: GlassFace, ior: f32, view_33: SceneView) -> vec3<f32> {
     return (_e125 * _e132);
 }
 
-fn internalScatteringLossGgx() -> InternalScatteringLoss {
-    var k_26: InternalScatteringLoss;
-
-    k_26.linear = 0.635f;
-    k_26.constant = 0.254f;
-    k_26.thin = 1.078f;
-    k_26.passes = 0.3f;
-    let _e53 = k_26;
-    return _e53;
-}
-
-fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
-    var k_27: InternalScatteringLoss;
-
-    k_27.linear = 0.201f;
-    k_27.constant = 1.555f;
-    k_27.thin = 0.565f;
-    k_27.passes = 0f;
-    let _e53 = k_27;
-    return _e53;
-}
-
-fn internalScatteringPasses(ior_2: f32) -> f32 {
-    var ior_3: f32;
-    var eta_66: f32;
-    var passes: f32;
-    var local_111: f32;
-
-    ior_3 = ior_2;
-    let _e46 = ior_3;
-    let _e48 = ior_3;
-    eta_66 = max(_e46, (1f / _e48));
-    let _e54 = eta_66;
-    let _e55 = fresnelTransmittedAt(0.355051f, _e54);
-    let _e59 = eta_66;
-    let _e60 = fresnelTransmittedAt(0.844949f, _e59);
-    passes = ((0.363917f * _e55) + (0.636083f * _e60));
-    let _e64 = ior_3;
-    if (_e64 > 1f) {
-        let _e67 = passes;
-        let _e68 = ior_3;
-        let _e69 = ior_3;
-        local_111 = (_e67 / (_e68 * _e69));
-    } else {
-        let _e72 = passes;
-        local_111 = _e72;
-    }
-    let _e74 = local_111;
-    return _e74;
-}
-
-fn internalScatteringAt(alpha_104: f32, ior_4: f32, k_28: InternalScatteringLoss) -> InternalScattering {
-    var alpha_105: f32;
-    var ior_5: f32;
-    var k_29: InternalScatteringLoss;
-    var smoothly_1: f32;
-    var alpha2_1: f32;
-    var lost_3: f32;
-    var w_27: InternalScattering;
-
-    alpha_105 = alpha_104;
-    ior_5 = ior_4;
-    k_29 = k_28;
-    let _e50 = ior_5;
-    let _e51 = internalScatteringPasses(_e50);
-    smoothly_1 = _e51;
-    let _e53 = alpha_105;
-    let _e54 = alpha_105;
-    alpha2_1 = (_e53 * _e54);
-    let _e57 = alpha2_1;
-    let _e58 = alpha2_1;
-    let _e59 = k_29;
-    let _e61 = alpha_105;
-    let _e64 = k_29;
-    let _e69 = k_29;
-    let _e71 = alpha_105;
-    let _e73 = smoothly_1;
-    lost_3 = ((_e57 / ((_e58 + (_e59.linear * _e61)) + _e64.constant)) * max((1f - ((_e69.thin * _e71) * max((_e73 - 0.4f), 0f))), 0f));
-    let _e86 = smoothly_1;
-    let _e88 = k_29;
-    let _e90 = alpha2_1;
-    w_27.passes = (_e86 * (1f - (_e88.passes * _e90)));
-    let _e96 = w_27;
-    let _e99 = lost_3;
-    w_27.back = max(((1f - _e96.passes) - _e99), 0f);
-    let _e103 = w_27;
-    return _e103;
-}
-
-fn internalScatteringConcave(w_28: InternalScattering, again: f32) -> InternalScattering {
-    var w_29: InternalScattering;
-    var again_1: f32;
-    var concave: InternalScattering;
-
-    w_29 = w_28;
-    again_1 = again;
-    let _e51 = again_1;
-    let _e53 = w_29;
-    concave.passes = ((1f - _e51) * _e53.passes);
-    let _e57 = w_29;
-    let _e59 = again_1;
-    let _e60 = w_29;
-    concave.back = (_e57.back + (_e59 * _e60.passes));
-    let _e64 = concave;
-    return _e64;
-}
-
-fn internalScatteringEscapes(w_30: InternalScattering, way_7: vec3<f32>) -> vec3<f32> {
-    var w_31: InternalScattering;
-    var way_8: vec3<f32>;
-
-    w_31 = w_30;
-    way_8 = way_7;
-    let _e48 = w_31;
-    let _e50 = way_8;
-    let _e54 = w_31;
-    let _e56 = way_8;
-    let _e59 = w_31;
-    return ((_e48.passes * _e50) / max((vec3(1f) - (_e54.back * _e56)), vec3(_e59.passes)));
-}
-
-fn engineFaceLobes(cosTheta_56: f32, alpha_106: f32, eta_67: f32) -> FaceLobes {
+fn engineFaceLobes(cosTheta_56: f32, alpha_104: f32, eta_66: f32) -> FaceLobes {
     var cosTheta_57: f32;
-    var alpha_107: f32;
-    var eta_68: f32;
+    var alpha_105: f32;
+    var eta_67: f32;
     var core_6: vec4<f32> = vec4<f32>(0f, 0f, 1f, 0f);
     var tail_5: vec4<f32> = vec4(0f);
     var at_28: vec3<f32>;
     var lobes_8: FaceLobes;
 
     cosTheta_57 = cosTheta_56;
-    alpha_107 = alpha_106;
-    eta_68 = eta_67;
-    let _e59 = alpha_107;
+    alpha_105 = alpha_104;
+    eta_67 = eta_66;
+    let _e59 = alpha_105;
     if (_e59 >= SMOOTH_ALPHA) {
         {
             let _e63 = cosTheta_57;
-            let _e64 = alpha_107;
-            let _e65 = eta_68;
+            let _e64 = alpha_105;
+            let _e65 = eta_67;
             let _e66 = interfaceLobeCoordinate(0i, 2i, _e63, _e64, _e65);
             at_28 = _e66;
             let _e68 = at_28;
@@ -8800,81 +8679,81 @@ fn engineFaceLobes(cosTheta_56: f32, alpha_106: f32, eta_67: f32) -> FaceLobes {
     }
     let _e79 = core_6;
     let _e80 = cosTheta_57;
-    let _e81 = alpha_107;
-    let _e82 = eta_68;
+    let _e81 = alpha_105;
+    let _e82 = eta_67;
     let _e83 = interfaceLobe(_e79, _e80, _e81, _e82);
     lobes_8.core = _e83;
     let _e85 = tail_5;
     let _e86 = cosTheta_57;
-    let _e87 = alpha_107;
-    let _e88 = eta_68;
+    let _e87 = alpha_105;
+    let _e88 = eta_67;
     let _e89 = interfaceLobe(_e85, _e86, _e87, _e88);
     lobes_8.tail = _e89;
     let _e90 = lobes_8;
     return _e90;
 }
 
-fn engineEnteringLobe(read_: InterfaceLobe, face_12: GlassFace, ior_6: f32, energy_4: f32) -> InnerLobe {
+fn engineEnteringLobe(read_: InterfaceLobe, face_12: GlassFace, ior_2: f32, energy_4: f32) -> InnerLobe {
     var read_1: InterfaceLobe;
     var face_13: GlassFace;
-    var ior_7: f32;
+    var ior_3: f32;
     var energy_5: f32;
     var inner_6: InnerLobe;
     var matched: bool;
-    var local_112: vec3<f32>;
+    var local_111: vec3<f32>;
+    var local_112: f32;
     var local_113: f32;
-    var local_114: f32;
 
     read_1 = read_;
     face_13 = face_12;
-    ior_7 = ior_6;
+    ior_3 = ior_2;
     energy_5 = energy_4;
-    let _e53 = ior_7;
+    let _e53 = ior_3;
     matched = (abs((_e53 - 1f)) < INDEX_MATCHED);
     let _e60 = matched;
     if _e60 {
         let _e61 = face_13;
-        local_112 = -(_e61.wo);
+        local_111 = -(_e61.wo);
     } else {
         let _e64 = face_13;
         let _e66 = face_13;
         let _e68 = read_1;
         let _e70 = interfaceLobeDirection(_e64.wo, _e66.n, _e68.angle);
-        local_112 = _e70;
+        local_111 = _e70;
     }
-    let _e72 = local_112;
+    let _e72 = local_111;
     inner_6.direction = _e72;
     let _e74 = matched;
     if _e74 {
-        local_113 = 0f;
+        local_112 = 0f;
     } else {
         let _e76 = read_1;
-        local_113 = _e76.sigma;
+        local_112 = _e76.sigma;
     }
-    let _e79 = local_113;
+    let _e79 = local_112;
     inner_6.sigma = _e79;
     let _e81 = read_1;
     let _e83 = matched;
     if _e83 {
-        local_114 = 1f;
+        local_113 = 1f;
     } else {
         let _e85 = energy_5;
-        local_114 = _e85;
+        local_113 = _e85;
     }
-    let _e87 = local_114;
+    let _e87 = local_113;
     inner_6.weight = (_e81.weight * _e87);
     let _e89 = inner_6;
     return _e89;
 }
 
-fn engineLeavingPair(inner_7: InnerLobe, core_7: bool, s_19: ExitSurface, k_30: Widening) -> ComposedPair {
+fn engineLeavingPair(inner_7: InnerLobe, core_7: bool, s_19: ExitSurface, k_26: Widening) -> ComposedPair {
     var inner_8: InnerLobe;
     var core_8: bool;
     var s_20: ExitSurface;
-    var k_31: Widening;
+    var k_27: Widening;
     var view_35: ExitView;
     var cosTheta_58: f32;
-    var local_115: f32;
+    var local_114: f32;
     var energy_6: f32;
     var lobes_9: FaceLobes;
     var one_1: ComposedPair;
@@ -8882,26 +8761,26 @@ fn engineLeavingPair(inner_7: InnerLobe, core_7: bool, s_19: ExitSurface, k_30: 
     inner_8 = inner_7;
     core_8 = core_7;
     s_20 = s_19;
-    k_31 = k_30;
+    k_27 = k_26;
     let _e52 = inner_8;
     let _e53 = core_8;
     let _e54 = s_20;
-    let _e55 = k_31;
+    let _e55 = k_27;
     let _e56 = seeExit(_e52, _e53, _e54, _e55);
     view_35 = _e56;
     let _e58 = view_35;
     cosTheta_58 = max(_e58.cosTheta, 0f);
     let _e63 = s_20;
     if (abs((_e63.eta - 1f)) < INDEX_MATCHED) {
-        local_115 = 1f;
+        local_114 = 1f;
     } else {
         let _e70 = cosTheta_58;
         let _e71 = view_35;
         let _e73 = s_20;
         let _e75 = engineFaceEnergy(_e70, _e71.alphaEnergy, _e73.eta);
-        local_115 = _e75.transmitted;
+        local_114 = _e75.transmitted;
     }
-    let _e78 = local_115;
+    let _e78 = local_114;
     energy_6 = _e78;
     let _e80 = cosTheta_58;
     let _e81 = view_35;
@@ -8945,6 +8824,127 @@ fn engineLeavingPair(inner_7: InnerLobe, core_7: bool, s_19: ExitSurface, k_30: 
     let _e139 = view_35;
     let _e140 = composedPair(_e124, _e138, _e139);
     return _e140;
+}
+
+fn internalScatteringLossGgx() -> InternalScatteringLoss {
+    var k_28: InternalScatteringLoss;
+
+    k_28.linear = 0.635f;
+    k_28.constant = 0.254f;
+    k_28.thin = 1.078f;
+    k_28.passes = 0.3f;
+    let _e53 = k_28;
+    return _e53;
+}
+
+fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
+    var k_29: InternalScatteringLoss;
+
+    k_29.linear = 0.201f;
+    k_29.constant = 1.555f;
+    k_29.thin = 0.565f;
+    k_29.passes = 0f;
+    let _e53 = k_29;
+    return _e53;
+}
+
+fn internalScatteringPasses(ior_4: f32) -> f32 {
+    var ior_5: f32;
+    var eta_68: f32;
+    var passes: f32;
+    var local_115: f32;
+
+    ior_5 = ior_4;
+    let _e46 = ior_5;
+    let _e48 = ior_5;
+    eta_68 = max(_e46, (1f / _e48));
+    let _e54 = eta_68;
+    let _e55 = fresnelTransmittedAt(0.355051f, _e54);
+    let _e59 = eta_68;
+    let _e60 = fresnelTransmittedAt(0.844949f, _e59);
+    passes = ((0.363917f * _e55) + (0.636083f * _e60));
+    let _e64 = ior_5;
+    if (_e64 > 1f) {
+        let _e67 = passes;
+        let _e68 = ior_5;
+        let _e69 = ior_5;
+        local_115 = (_e67 / (_e68 * _e69));
+    } else {
+        let _e72 = passes;
+        local_115 = _e72;
+    }
+    let _e74 = local_115;
+    return _e74;
+}
+
+fn internalScatteringAt(alpha_106: f32, ior_6: f32, k_30: InternalScatteringLoss) -> InternalScattering {
+    var alpha_107: f32;
+    var ior_7: f32;
+    var k_31: InternalScatteringLoss;
+    var smoothly_1: f32;
+    var alpha2_1: f32;
+    var lost_3: f32;
+    var w_27: InternalScattering;
+
+    alpha_107 = alpha_106;
+    ior_7 = ior_6;
+    k_31 = k_30;
+    let _e50 = ior_7;
+    let _e51 = internalScatteringPasses(_e50);
+    smoothly_1 = _e51;
+    let _e53 = alpha_107;
+    let _e54 = alpha_107;
+    alpha2_1 = (_e53 * _e54);
+    let _e57 = alpha2_1;
+    let _e58 = alpha2_1;
+    let _e59 = k_31;
+    let _e61 = alpha_107;
+    let _e64 = k_31;
+    let _e69 = k_31;
+    let _e71 = alpha_107;
+    let _e73 = smoothly_1;
+    lost_3 = ((_e57 / ((_e58 + (_e59.linear * _e61)) + _e64.constant)) * max((1f - ((_e69.thin * _e71) * max((_e73 - 0.4f), 0f))), 0f));
+    let _e86 = smoothly_1;
+    let _e88 = k_31;
+    let _e90 = alpha2_1;
+    w_27.passes = (_e86 * (1f - (_e88.passes * _e90)));
+    let _e96 = w_27;
+    let _e99 = lost_3;
+    w_27.back = max(((1f - _e96.passes) - _e99), 0f);
+    let _e103 = w_27;
+    return _e103;
+}
+
+fn internalScatteringConcave(w_28: InternalScattering, again: f32) -> InternalScattering {
+    var w_29: InternalScattering;
+    var again_1: f32;
+    var concave: InternalScattering;
+
+    w_29 = w_28;
+    again_1 = again;
+    let _e51 = again_1;
+    let _e53 = w_29;
+    concave.passes = ((1f - _e51) * _e53.passes);
+    let _e57 = w_29;
+    let _e59 = again_1;
+    let _e60 = w_29;
+    concave.back = (_e57.back + (_e59 * _e60.passes));
+    let _e64 = concave;
+    return _e64;
+}
+
+fn internalScatteringEscapes(w_30: InternalScattering, way_7: vec3<f32>) -> vec3<f32> {
+    var w_31: InternalScattering;
+    var way_8: vec3<f32>;
+
+    w_31 = w_30;
+    way_8 = way_7;
+    let _e48 = w_31;
+    let _e50 = way_8;
+    let _e54 = w_31;
+    let _e56 = way_8;
+    let _e59 = w_31;
+    return ((_e48.passes * _e50) / max((vec3(1f) - (_e54.back * _e56)), vec3(_e59.passes)));
 }
 
 fn internallyReflected(face_14: GlassFace, body_2: ConvexBody, inner_9: InnerLobe, entered: f32, e_8: ConvexExit, passed: f32) -> vec3<f32> {
