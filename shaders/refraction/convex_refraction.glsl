@@ -19,8 +19,8 @@
 
 // What the exit reflects inside leaves a convex body by its near face, again and again: a geometric series. Nothing leaves a face
 // wider than a diffuse one sends light, 0.606 radians per axis. It comes from where the camera does not look: a part of the
-// environment there is occluded, not known which. Of 0, 1/4, 1/2, 3/4 and 1 a quarter was nearest to the truth, or nearly so, on most
-// scenes tried; slabs before a wall, whose light comes from behind the camera, would have all of it.
+// environment there is occluded, not known which. Of 0, 1/4, 1/2, 3/4 and 1 a quarter was nearest to the truth, or nearly so, on
+// most scenes tried; slabs before a wall, whose light comes from behind the camera, would have all of it.
 const float SCATTERED_SEEN = 0.25;
 // Less than this share of the environment is not looked up: what it would add is below the error of SCATTERED_SEEN.
 const float SCATTERED_LEAST = 0.01;

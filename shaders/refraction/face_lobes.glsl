@@ -1,8 +1,8 @@
 // face_lobes.glsl: the lobes of one face of glass as an engine's tables give them, for light that enters and that leaves.
 // Frame    world; n on the side of wo, directions unit.
 // alpha    of the face, [0, 1]; below SMOOTH_ALPHA it has one direction, Snell's, and no table is read.
-// Returns  engineFaceLobes: core and tail of one interface. engineEnteringLobe: one of them inside, its weight times the energy that
-//          enters. engineLeavingPair: what an inner lobe becomes outside, one or two lobes.
+// Returns  engineFaceLobes: core and tail of one interface. engineEnteringLobe: one of them inside, its weight times the energy
+//          that enters. engineLeavingPair: what an inner lobe becomes outside, one or two lobes.
 // Source   interface_table.glsl, composition.glsl; the engine's functions are those of engine.glsl.
 // Limits   those of composition.glsl. Reads of tables: 2, 0 and 3.
 #ifndef GG_REFRACTION_FACE_LOBES_GLSL
@@ -11,7 +11,7 @@
 #include "refraction/composition.glsl"
 #include "refraction/glass_reflection.glsl"
 
-// Both of the tables' lobes, which differ in the block of the table that they are read from. A smooth face has one direction, Snell's.
+// Both of the tables' lobes, which differ in the block of the table that they are read from. A smooth face has one: Snell's.
 struct FaceLobes {
   InterfaceLobe core;
   InterfaceLobe tail;
