@@ -2,7 +2,7 @@
 // Frame    world, metres; pixels as engine.glsl; n out of the body.
 // alpha    of the face, [0, 1].
 // Returns  backFaceAt: point, normal along rays that leave (side 1) or enter (-1), alpha and body of a texel. backFaceBeside: the
-//          same of a neighbour on the same smooth surface, or the texel itself. pixelSteps: what a place moves by to the next pixel.
+//          same of a neighbour on the same smooth surface, or the texel itself. pixelSteps: what moves a place by a pixel.
 //          engineFace, an engine's to supply: of a layer of glass at a place, nearest texel: xy octEncode of its outward normal,
 //          z metres along the camera's axis, w its body's number, from 1, plus half of alpha; 0 where there is no face.
 // Source   [Wyman05].
