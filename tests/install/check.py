@@ -38,7 +38,7 @@ def main():
         if picture.stat().st_size < 500:
             sys.exit("capture drew nothing")
         run(program, "kit", "--target", "three", "-o", pathlib.Path(scratch) / "kit", cwd="/")
-        run("cmake", "-S", HERE / "consumer", "-B", pathlib.Path(scratch) / "consumer", f"-DCMAKE_PREFIX_PATH={prefix}")
+        run("cmake", "-G", "Ninja", "-S", HERE / "consumer", "-B", pathlib.Path(scratch) / "consumer", f"-DCMAKE_PREFIX_PATH={prefix}")
         run("cmake", "--build", pathlib.Path(scratch) / "consumer")
         run(pathlib.Path(scratch) / "consumer/consumer", cwd="/")
     print("installed, drawn from /, found by find_package")

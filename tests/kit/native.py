@@ -53,7 +53,7 @@ def main():
         for target in ("opengl", "vulkan"):
             kit, picture = folder / target, folder / f"{target}.hdr"
             run(build / "groundglass", "kit", "--target", target, "-o", kit)
-            run("cmake", "-B", kit / "build", "-S", kit)
+            run("cmake", "-G", "Ninja", "-B", kit / "build", "-S", kit)
             run("cmake", "--build", kit / "build")
             layers = {"VK_INSTANCE_LAYERS": "VK_LAYER_KHRONOS_validation"} if target == "vulkan" else {}
             said = run("build/rough_glass", scene, ENVIRONMENT, picture, SIZE, SIZE, options.samples, cwd=kit, env={**os.environ, **layers})

@@ -86,7 +86,7 @@ def main():
                 steps.append(("page", lambda: screenshot(folder, profile)))
             else:
                 picture = folder / "picture.png"
-                steps += [("cmake", lambda: run(folder, "cmake", "-B", "build")), ("build", lambda: run(folder, "cmake", "--build", "build")),
+                steps += [("cmake", lambda: run(folder, "cmake", "-G", "Ninja", "-B", "build")), ("build", lambda: run(folder, "cmake", "--build", "build")),
                           ("picture", lambda: run(folder, "build/rough_glass"))]
             line, whole = [], time.monotonic()
             for name, step in steps:
