@@ -11,10 +11,10 @@
 
 namespace gg::needs {
 
-// Rays for each of three points of a triangle: fewer, down to four, where a body would take more than `enough_rays` (about a second
-// of one core); none where four would be more than `most_rays`.
+// Rays for each of three points of a triangle: fewer, down to eight, where a body would take more than `enough_rays` (about four
+// seconds of one core; fewer show as streaks on smooth metal); none where eight would be more than `most_rays`.
 inline constexpr int hollow_rays = 64;
-inline constexpr std::size_t enough_rays = 1'500'000, most_rays = 6'000'000;
+inline constexpr std::size_t enough_rays = 6'000'000, most_rays = 12'000'000;
 
 struct Hollows {
   // Of one component, at the vertices: interpolated, and then bounded to [0, 1], the share of the cosine lobe about the normal that
