@@ -26,19 +26,11 @@ void writeFootprint() {
     outFar = vec4(0.0);
     // As lookupRadiance(). What strata bring is interpolated as radiance: it changes slowly.
     vec4 strata = vec4(0.0);
-    float wide = 0.0;
-    float mean = 0.0; // 1 / distance
-    vec2 pairs = vec2(0.0);
-    int last = 0;
-    for (int k = 0; k <= last; ++k) {
-        vec3 stratum = k == 0 ? ownStratum() : wideStratum(k - 1);
+    StrataWalk walk = strataWalk();
+    for (int k = 0; k <= walk.last; ++k) {
+        vec3 stratum = stratumAt(k);
         Intersection intersection = lobeIntersection(stratumOf(pair.core.lobe, stratum), within);
-        if (k == 0 && within < 0.0) wide = wideShare(pair.core.lobe, intersection);
-        float inverse = inverseDistance(intersection);
-        if (k == 0) mean = inverse;
-        else if (k <= 4) pairs += (k & 1) == 1 ? vec2(inverse, 0.0) : vec2(0.0, inverse);
-        if (k == 4) wide *= apartShare(pairs, mean);
-        last = wide > 0.0 ? (k < 4 ? 4 : WIDE_STRATA) : 0;
+        meetStratum(walk, k, within < 0.0, pair.core.lobe, intersection);
         WeightedLobe w = pair.core;
         for (int m = 0; m < entryLobes; ++m) {
             if (m == 1) w = pair.rest;
@@ -64,8 +56,8 @@ void writeFootprint() {
             }
         }
     }
-    outSpots.zw *= 1.0 - wide;
-    outFar = mix(outFar, strata / float(WIDE_STRATA), wide);
+    outSpots.zw *= 1.0 - walk.wide;
+    outFar = mix(outFar, strata / float(WIDE_STRATA), walk.wide);
     if (hasLights) {
         outFar.xyz += pair.core.weight * lightsAlong(pair.core.lobe);
         if (entryLobes > 1) outFar.xyz += pair.rest.weight * lightsAlong(pair.rest.lobe);

@@ -61,20 +61,12 @@ vec3 lookupRadiance(GlassLookup g) {
     vec3 single = vec3(0.0);
     vec3 strata = vec3(0.0);
     vec3 lit = vec3(0.0);
-    float wide = 0.0;
-    float mean = 0.0; // 1 / distance
-    vec2 pairs = vec2(0.0);
+    StrataWalk walk = strataWalk();
     int members = g.both ? 2 : 1; // in one place: see above
-    int last = 0;
-    for (int k = 0; k <= last; ++k) {
-        vec3 stratum = k == 0 ? ownStratum() : wideStratum(k - 1);
+    for (int k = 0; k <= walk.last; ++k) {
+        vec3 stratum = stratumAt(k);
         Intersection intersection = lobeIntersection(stratumOf(g.core.lobe, stratum), g.within);
-        if (k == 0 && g.transmitted && g.within < 0.0) wide = wideShare(g.core.lobe, intersection);
-        float inverse = inverseDistance(intersection);
-        if (k == 0) mean = inverse;
-        else if (k <= 4) pairs += (k & 1) == 1 ? vec2(inverse, 0.0) : vec2(0.0, inverse);
-        if (k == 4) wide *= apartShare(pairs, mean);
-        last = wide > 0.0 ? (k < 4 ? 4 : WIDE_STRATA) : 0;
+        meetStratum(walk, k, g.transmitted && g.within < 0.0, g.core.lobe, intersection);
         WeightedLobe w = g.core;
         for (int m = 0; m < members; ++m) {
             if (m == 1) w = g.rest;
@@ -84,7 +76,7 @@ vec3 lookupRadiance(GlassLookup g) {
             if (hasLights && g.transmitted && k == 0) lit += w.weight * lightsAlong(w.lobe);
         }
     }
-    return mix(single, strata / float(WIDE_STRATA), wide) + lit;
+    return mix(single, strata / float(WIDE_STRATA), walk.wide) + lit;
 }
 
 // Radiance of the reflection lobes, beside light that is transmitted with this weight.

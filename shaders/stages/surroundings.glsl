@@ -411,3 +411,25 @@ float apartShare(vec2 pairs, float mean) {
     vec2 apart = abs(0.5 * pairs - mean) / max(max(0.5 * pairs, vec2(mean)), vec2(LEAST_DIVISOR));
     return smoothstep(ONE_PLANE, TWO_THINGS, max(apart.x, apart.y));
 }
+
+// Of a lobe whose strata are met one after another: first its sample's own, k = 0, then, as far as it is wide, those in its place.
+struct StrataWalk {
+    float wide; // how much of the light the strata bring
+    float mean; // 1 / distance where the first has met something
+    vec2 pairs; // sums of the same of k = 1 and 3, and of 2 and 4
+    int last;   // k of the last to be met
+};
+
+StrataWalk strataWalk() { return StrataWalk(0.0, 0.0, vec2(0.0), 0); }
+
+vec3 stratumAt(int k) { return k == 0 ? ownStratum() : wideStratum(k - 1); }
+
+// After the k-th has met `intersection`. lobe: the whole one; split: whether it may be taken by strata.
+void meetStratum(inout StrataWalk walk, int k, bool split, LobeRay lobe, Intersection intersection) {
+    if (k == 0 && split) walk.wide = wideShare(lobe, intersection);
+    float inverse = inverseDistance(intersection);
+    if (k == 0) walk.mean = inverse;
+    else if (k <= 4) walk.pairs += (k & 1) == 1 ? vec2(inverse, 0.0) : vec2(0.0, inverse);
+    if (k == 4) walk.wide *= apartShare(walk.pairs, walk.mean);
+    walk.last = walk.wide > 0.0 ? (k < 4 ? 4 : WIDE_STRATA) : 0;
+}

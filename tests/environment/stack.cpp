@@ -257,13 +257,7 @@ TEST(kept_stack, is_read_back_the_same_and_made_again_where_it_is_damaged) {
   const test::CacheIn moved(directory);
   const Map map = picture_of(512, soft_lights);
   const Stack made = build_or_load(device(), map);
-  const auto files = [&] {
-    std::vector<std::filesystem::path> all;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(directory / "groundglass" / "environments"))
-      all.push_back(entry.path());
-    return all;
-  };
+  const auto files = [&] { return test::kept_files(directory, "environments"); };
   ASSERT_EQ(files().size(), 1u);
   const auto sound = read_file(files()[0]);
   for (const bool damaged : {false, true}) {

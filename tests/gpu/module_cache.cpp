@@ -47,10 +47,7 @@ TEST(sealed, bytes_of_another_kind_are_not_taken) {
 }
 
 std::vector<fs::path> files_in(const fs::path& directory) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(directory / "groundglass" / "shaders"))
-    files.push_back(entry.path());
-  return files;
+  return test::kept_files(directory, "shaders");
 }
 
 void write(const fs::path& path, const std::string& text) {

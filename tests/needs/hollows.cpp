@@ -108,13 +108,7 @@ TEST(hollows, are_kept_and_read_back_and_made_again_where_the_file_is_damaged) {
   scene::Scene scene = facing_squares(0.7f);
   const auto kept = [&] { return needs::hollows_kept_or_of(scene, needs::proxies_of(scene)); };
   const needs::Hollows made = kept();
-  const auto files = [&] {
-    std::vector<std::filesystem::path> all;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(directory / "groundglass" / "hollows"))
-      all.push_back(entry.path());
-    return all;
-  };
+  const auto files = [&] { return kept_files(directory, "hollows"); };
   ASSERT_EQ(files().size(), 1u);
   const auto sound = read_file(files()[0]);
   for (const std::uintmax_t size : {sound.size(), sound.size() / 2, std::size_t{0}}) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace gg::test {
 
@@ -32,6 +33,15 @@ inline std::filesystem::path empty_directory(const char* name) {
   std::filesystem::remove_all(directory);
   std::filesystem::create_directories(directory);
   return directory;
+}
+
+// What is kept in a folder of the cache that `directory` holds.
+inline std::vector<std::filesystem::path> kept_files(const std::filesystem::path& directory,
+                                                     const char* folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(directory / "groundglass" / folder))
+    files.push_back(entry.path());
+  return files;
 }
 
 } // namespace gg::test
