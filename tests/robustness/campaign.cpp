@@ -7,6 +7,7 @@
 #include "robustness/campaign_draw.h"
 #include "robustness/damage.h"
 #include "robustness/samples.h"
+#include "scene/grid.h"
 #include "scene/load.h"
 #include "support/scratch.h"
 
@@ -92,6 +93,15 @@ std::vector<Sample> corpus() {
   };
   add_scene("rich.glb", rich());
   samples.push_back({"rich.gltf", read_file(rich().save_text("whole.gltf")), false});
+  // Alone, so that what is damaged is mostly the compressed stream itself.
+  const auto add_compressed = [&](const std::string& name, json (*store)(GltfFile&, const Grid&)) {
+    GltfFile file;
+    file.mesh(store(file, Grid(12)));
+    add_scene(name, file);
+  };
+  add_compressed("draco.glb", with_draco);
+  add_compressed("edgebreaker.glb", with_edgebreaker);
+  add_compressed("meshopt.glb", with_meshopt);
   add_scene("png.glb", textured(written(".png"), "image/png"));
   add_scene("jpeg.glb", textured(jpeg(false), "image/jpeg"));
   add_scene("progressive.glb", textured(jpeg(true), "image/jpeg"));
@@ -104,28 +114,39 @@ std::vector<Sample> corpus() {
     image::write(path, picture);
     samples.push_back({std::string("environment") + extension, read_file(path), true});
   }
-  for (const char* name : {"slabs-0.2.glb", "AnisotropyStrengthTest.glb", "TransmissionTest.glb"})
+  for (const char* name : {"slabs-0.2.glb", "AnisotropyStrengthTest.glb", "TransmissionTest.glb",
+                           "layers.glb", "motion.glb"})
     samples.push_back({name, read_file(asset(std::string("scenes/") + name)), false});
   return samples;
 }
 
-// The JSON of a .glb with something else in it; the binary chunk stays.
-bool change_json(Bytes& bytes, std::mt19937& random) {
-  std::uint32_t length = 0;
-  if (bytes.size() < 20) return false;
-  std::memcpy(&length, bytes.data() + 12, 4);
-  if (bytes.size() < 20 + std::size_t{length}) return false;
-  const char* const text = reinterpret_cast<const char*>(bytes.data() + 20);
-  json root = json::parse(text, text + length, nullptr, false);
-  if (root.is_discarded()) return false;
+// The JSON with one to three values changed; nothing if it is none.
+std::string changed_json(std::string_view text, std::mt19937& random) {
+  json root = json::parse(text, nullptr, false);
+  if (root.is_discarded()) return {};
   for (auto changes = 1 + random() % 3; changes > 0; --changes) {
     json& at = pick(root, random);
     at = surprise(random, at);
   }
-  const std::size_t binary_at = std::min(bytes.size(), 20 + std::size_t{length} + 8);
-  const std::string changed =
-      glb(root.dump(-1, ' ', false, json::error_handler_t::replace),
-          Bytes(bytes.begin() + static_cast<std::ptrdiff_t>(binary_at), bytes.end()));
+  return root.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+// The JSON of a .gltf, or of a .glb whose binary chunk stays, with something else in it.
+bool change_json(Bytes& bytes, bool is_glb, std::mt19937& random) {
+  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  Bytes binary;
+  if (is_glb) {
+    std::uint32_t length = 0;
+    if (bytes.size() < 20) return false;
+    std::memcpy(&length, bytes.data() + 12, 4);
+    if (bytes.size() < 20 + std::size_t{length}) return false;
+    text = text.substr(20, length);
+    const std::size_t binary_at = std::min(bytes.size(), 20 + std::size_t{length} + 8);
+    binary.assign(bytes.begin() + static_cast<std::ptrdiff_t>(binary_at), bytes.end());
+  }
+  std::string changed = changed_json(text, random);
+  if (changed.empty()) return false;
+  if (is_glb) changed = glb(changed, binary);
   bytes.resize(changed.size());
   std::memcpy(bytes.data(), changed.data(), changed.size());
   return true;
@@ -133,13 +154,13 @@ bool change_json(Bytes& bytes, std::mt19937& random) {
 
 void mutate(Sample& sample, std::mt19937& random) {
   const bool is_glb = sample.name.ends_with(".glb");
-  switch (random() % (is_glb ? 4 : 2)) {
+  switch (random() % (is_glb || sample.name.ends_with(".gltf") ? 4 : 2)) {
   case 0:
     return damage(sample.bytes, random);
   case 1:
     return flip(sample.bytes, sample.bytes.size() / 3, random); // past the headers
   default:
-    if (!change_json(sample.bytes, random)) damage(sample.bytes, random);
+    if (!change_json(sample.bytes, is_glb, random)) damage(sample.bytes, random);
   }
 }
 

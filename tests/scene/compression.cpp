@@ -21,6 +21,17 @@ TEST(draco, gives_back_the_mesh) {
   EXPECT_EQ(corners(scene, first(scene)), corners(original, first(original)));
 }
 
+TEST(draco, edgebreaker_gives_back_the_corners_in_an_order_of_its_own) {
+  const auto sorted = [](const scene::Scene& scene) {
+    auto all = corners(scene, first(scene));
+    std::ranges::sort(all, [](const auto& a, const auto& b) {
+      return std::lexicographical_compare(&a[0], &a[0] + a.length(), &b[0], &b[0] + b.length());
+    });
+    return all;
+  };
+  EXPECT_EQ(sorted(loaded(with_edgebreaker)), sorted(loaded(plain)));
+}
+
 TEST(draco, is_decoded_once_for_primitives_that_share_it) {
   GltfFile file;
   const auto primitive = with_draco(file, Grid(12));

@@ -71,7 +71,9 @@ nlohmann::json plain(GltfFile& file, const Grid& grid) {
   return {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}}, {"indices", indices}};
 }
 
-nlohmann::json with_draco(GltfFile& file, const Grid& grid) {
+namespace {
+
+nlohmann::json draco_encoded(GltfFile& file, const Grid& grid, draco::MeshEncoderMethod method) {
   draco::TriangleSoupMeshBuilder builder;
   const std::size_t faces = grid.indices.size() / 3;
   builder.Start(static_cast<int>(faces));
@@ -88,7 +90,7 @@ nlohmann::json with_draco(GltfFile& file, const Grid& grid) {
   }
   const auto mesh = builder.Finalize();
   draco::Encoder encoder;
-  encoder.SetEncodingMethod(draco::MESH_SEQUENTIAL_ENCODING);
+  encoder.SetEncodingMethod(method);
   draco::EncoderBuffer buffer;
   if (!mesh || !encoder.EncodeMeshToBuffer(*mesh, &buffer).ok())
     throw std::runtime_error("Draco cannot encode the grid");
@@ -106,6 +108,16 @@ nlohmann::json with_draco(GltfFile& file, const Grid& grid) {
               {"attributes",
                {{"POSITION", mesh->attribute(position)->unique_id()},
                 {"NORMAL", mesh->attribute(normal)->unique_id()}}}}}}}};
+}
+
+} // namespace
+
+nlohmann::json with_draco(GltfFile& file, const Grid& grid) {
+  return draco_encoded(file, grid, draco::MESH_SEQUENTIAL_ENCODING);
+}
+
+nlohmann::json with_edgebreaker(GltfFile& file, const Grid& grid) {
+  return draco_encoded(file, grid, draco::MESH_EDGEBREAKER_ENCODING);
 }
 
 nlohmann::json with_meshopt(GltfFile& file, const Grid& grid) {

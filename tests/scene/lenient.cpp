@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -133,6 +134,19 @@ TEST(lenient, a_stride_of_zero_is_packed) {
   const Loaded loaded = load(file);
   EXPECT_TRUE(says(loaded, "byteStride is 0"));
   EXPECT_EQ(corners(loaded.scene, first(loaded.scene)), wanted);
+}
+
+TEST(lenient, many_entries_of_one_kind_take_one_note) {
+  GltfFile file = glass();
+  file.triangle();
+  for (json& view : file.json["bufferViews"])
+    view["byteStride"] = 0;
+  const std::size_t views = file.json["bufferViews"].size();
+  ASSERT_GT(views, 1u);
+  const Loaded loaded = load(file);
+  EXPECT_TRUE(says(loaded, "bufferViews[0].byteStride is 0; taken as packed (and "
+                               + std::to_string(views - 1) + " more like it)"));
+  EXPECT_EQ(std::ranges::count(loaded.said, '\n'), 1) << loaded.said;
 }
 
 TEST(lenient, a_near_plane_at_zero_is_set_by_what_is_seen) {

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace gg::scene::gltf {
@@ -36,8 +38,47 @@ json* member(json& from, std::initializer_list<const char*> path) {
   return at;
 }
 
+// One note for each kind of fault, however many entries of a file have it: the first one's place, and how many more there are.
+class Notes {
+public:
+  explicit Notes(const std::string& file) : file_(file) {}
+
+  // `place` is printed whole for the first entry; places that differ by their indices alone are of one kind.
+  void add(const std::string& place, const std::string& what) {
+    std::string kind = what + ' ';
+    bool in_brackets = false;
+    for (const char c : place) {
+      if (c == ']') in_brackets = false;
+      if (!in_brackets) kind += c;
+      if (c == '[') in_brackets = true;
+    }
+    const auto [at, is_new] = kinds_.try_emplace(kind, faults_.size());
+    if (is_new) faults_.push_back({place, what, 0});
+    ++faults_[at->second].count;
+  }
+
+  void print() const {
+    constexpr std::size_t longest_place = 200; // a file may nest as deep as it likes
+    for (const Fault& fault : faults_) {
+      const std::string more =
+          fault.count > 1 ? fmt::format(" (and {} more like it)", fault.count - 1) : std::string();
+      note(fmt::format("{}: {} {}{}", file_, fault.place.substr(0, longest_place), fault.what,
+                       more));
+    }
+  }
+
+private:
+  struct Fault {
+    std::string place, what;
+    std::size_t count;
+  };
+  const std::string& file_;
+  std::vector<Fault> faults_;
+  std::map<std::string, std::size_t> kinds_; // kind, and which of faults_
+};
+
 // A list of things to do instead of recursion, as files may nest.
-void drop_nulls(json& root, const std::string& file) {
+void drop_nulls(json& root, Notes& notes) {
   struct Step {
     json* value;
     std::string place;
@@ -54,7 +95,7 @@ void drop_nulls(json& root, const std::string& file) {
     for (auto it = value->begin(); it != value->end();) {
       const std::string at = place.empty() ? it.key() : place + "." + it.key();
       if (it->is_null()) {
-        note(file + ": " + at.substr(0, 200) + " is null, which counts as not being there");
+        notes.add(at, "is null, which counts as not being there");
         it = value->erase(it);
         continue;
       }
@@ -77,18 +118,17 @@ void mend_version(json& root, const std::string& file) {
   *version = "2.0";
 }
 
-void mend_zeros(json& root, const std::string& file) {
+void mend_zeros(json& root, Notes& notes) {
   for_each(root, "bufferViews", [&](std::size_t i, json& view) {
     if (!is_zero(member(view, {"byteStride"}))) return;
-    note(fmt::format("{}: bufferViews[{}].byteStride is 0; taken as packed", file, i));
+    notes.add(fmt::format("bufferViews[{}].byteStride", i), "is 0; taken as packed");
     view.erase("byteStride");
   });
   for_each(root, "materials", [&](std::size_t i, json& material) {
     json* const volume = member(material, {"extensions", "KHR_materials_volume"});
     if (volume == nullptr || !is_zero(member(*volume, {"attenuationDistance"}))) return;
-    note(fmt::format("{}: materials[{}].extensions.KHR_materials_volume.attenuationDistance is 0; "
-                     "taken as no attenuation",
-                     file, i));
+    notes.add(fmt::format("materials[{}].extensions.KHR_materials_volume.attenuationDistance", i),
+              "is 0; taken as no attenuation");
     volume->erase("attenuationDistance");
   });
 }
@@ -131,9 +171,11 @@ CameraFaults mend_cameras(json& root, const std::string& file) {
 
 CameraFaults mend(json& root, const std::string& file) {
   if (!root.is_object()) return {};
-  drop_nulls(root, file);
+  Notes notes(file);
+  drop_nulls(root, notes);
+  mend_zeros(root, notes);
+  notes.print();
   mend_version(root, file);
-  mend_zeros(root, file);
   mend_unused_materials(root, file);
   return mend_cameras(root, file);
 }
