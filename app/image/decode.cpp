@@ -24,6 +24,7 @@ Format recognise(Bytes bytes) {
   if (has(bytes, "\x89PNG\r\n\x1a\n")) return Format::png;
   if (has(bytes, "\xff\xd8\xff")) return Format::jpeg;
   if (has(bytes, "RIFF") && has(bytes, "WEBP", 8)) return Format::webp;
+  if (has(bytes, "\xabKTX 20\xbb")) return Format::ktx2;
   return Format::unknown;
 }
 
@@ -49,6 +50,8 @@ Image8 decode(const std::byte* data, std::size_t size, const std::string& name) 
     return formats::decode_jpeg(bytes, name);
   case formats::Format::webp:
     return formats::decode_webp(bytes, name);
+  case formats::Format::ktx2:
+    return formats::decode_ktx2(bytes, name);
   default:
     break;
   }

@@ -13,7 +13,7 @@ namespace gg::image::formats {
 
 using Bytes = std::span<const std::byte>;
 
-enum class Format { unknown, hdr, exr, pfm, png, jpeg, webp };
+enum class Format { unknown, hdr, exr, pfm, png, jpeg, webp, ktx2 };
 
 // By the first bytes, not by the extension: files are renamed more often than they are converted.
 Format recognise(Bytes bytes);
@@ -27,6 +27,8 @@ Image colour_of(const Exr& exr, const std::string& name);
 Image8 decode_png(Bytes bytes, const std::string& name);
 Image8 decode_jpeg(Bytes bytes, const std::string& name);
 Image8 decode_webp(Bytes bytes, const std::string& name);
+// The largest level. Throws Error(unsupported) where there is no libktx.
+Image8 decode_ktx2(Bytes bytes, const std::string& name);
 
 std::vector<std::byte> encode_hdr(const Image& image);
 std::vector<std::byte> encode_pfm(const Image& image);

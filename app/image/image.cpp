@@ -114,13 +114,14 @@ Image read(const std::filesystem::path& path) {
   case Format::png:
   case Format::jpeg:
   case Format::webp:
+  case Format::ktx2:
     return linear_from(decode(bytes.data(), bytes.size(), name));
   case Format::unknown:
     break;
   }
   throw Error(ExitCode::input, name,
               bytes.empty() ? "is empty" : "is not a picture in a known format",
-              "Known are Radiance .hdr, OpenEXR .exr, .pfm, .png, .jpg and .webp.");
+              "Known are Radiance .hdr, OpenEXR .exr, .pfm, .png, .jpg, .webp and .ktx2.");
 }
 
 Exr read_exr(const std::filesystem::path& path) {

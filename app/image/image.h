@@ -47,7 +47,7 @@ struct Image8 {
 
 // Linear pictures: .hdr (Radiance RGBE, flat, old and new run-length encoding, all eight
 // orientations, EXPOSURE and COLORCORR undone), .exr (colour channels), .pfm, and .png, .jpg, .webp
-// (8-bit sRGB, made linear). The format is told by the content, not by the extension. `channels` of
+// (8-bit sRGB, made linear), .ktx2. The format is told by the content, not by the extension. `channels` of
 // the result is 3 or 4; grey becomes RGB. Values are what the file says, NaN and infinities
 // included: see find_non_finite. Throws Error(input) naming the file, the place and what is wrong.
 Image read(const std::filesystem::path& path);
@@ -76,10 +76,16 @@ struct Exr {
 Exr read_exr(const std::filesystem::path& path);
 void write_exr(const std::filesystem::path& path, const Exr& exr);
 
-// Decodes PNG, JPEG or WebP from memory, up to max_pixels. Colour profiles and gamma are ignored,
+// Decodes PNG, JPEG, WebP or KTX2 from memory, up to max_pixels. Colour profiles and gamma are ignored,
 // as glTF asks; 16-bit PNG is rounded to 8; CMYK JPEG and animated WebP are refused. `name` is used
-// in messages. Throws Error(input).
+// in messages. Throws Error(input), or Error(unsupported) for KTX2 where there is no libktx.
 Image8 decode(const std::byte* data, std::size_t size, const std::string& name);
+
+// True if a libktx was found, which reads KTX2 (ktx2.cpp says where it is looked for); and what to do where it was not.
+bool can_decode_ktx2();
+inline constexpr const char* without_libktx =
+    "Run app/setup --ktx2 or install libktx 4 (KTX-Software), or export with PNG, JPEG or WebP "
+    "images.";
 
 // The first value that is NaN or infinite, in reading order, and how many pixels have one.
 struct NonFinite {

@@ -64,7 +64,7 @@ Picture load_picture(const std::filesystem::path& path) {
   const std::vector<std::byte> bytes = read_file(path);
   const formats::Format format = formats::recognise(bytes);
   picture.display_referred = format == formats::Format::png || format == formats::Format::jpeg
-                             || format == formats::Format::webp;
+                             || format == formats::Format::webp || format == formats::Format::ktx2;
   if (format == formats::Format::exr) {
     Exr exr = formats::read_exr(bytes, picture.name);
     picture.colour = formats::colour_of(exr, picture.name);

@@ -129,14 +129,7 @@ Bytes webp(bool lossless) {
 }
 
 Bytes ktx2() {
-  // Khronos KTX 2.0 §3: identifier, vkFormat 0 (compressed by a supercompression scheme), typeSize 1, 8 x 8 pixels.
-  const std::uint8_t identifier[] = {0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB, 13, 10, 26, 10};
-  const std::uint32_t header[] = {0, 1, 8, 8, 0, 0, 1, 1, 1};
-  Bytes bytes = copy(identifier, sizeof identifier);
-  const Bytes rest = copy(header, sizeof header);
-  bytes.insert(bytes.end(), rest.begin(), rest.end());
-  bytes.resize(200, std::byte{7});
-  return bytes;
+  return read_file(GROUNDGLASS_SOURCE_DIR "/tests/image/ktx2/uastc_zstd.ktx2");
 }
 
 } // namespace gg::test

@@ -1,4 +1,5 @@
 // Materials, textures and what extras and presets make of them.
+#include "core/files.h"
 #include "scene/apply.h"
 #include "scene/gltf_file.h"
 #include "scene/load.h"
@@ -11,6 +12,7 @@
 #include <webp/encode.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 using namespace gg;
@@ -167,7 +169,8 @@ TEST(textures, images_that_nothing_reads_are_not_decoded) {
   EXPECT_NE(scene.images[1], nullptr);
 }
 
-TEST(textures, ktx2_falls_back_to_the_plain_image_or_is_refused_by_name) {
+TEST(textures, a_plain_image_is_taken_before_ktx2_which_wants_libktx) {
+  ::setenv("GROUNDGLASS_LIBKTX", "/nowhere/libktx.so", 1);
   auto file = with_material({{"emissiveTexture", {{"index", 0}}}});
   file.json["extensionsUsed"] = {"KHR_texture_basisu"};
   file.json["images"] = {{{"uri", "missing.ktx2"}}, {{"uri", data_uri("png", red_png)}}};
@@ -175,8 +178,13 @@ TEST(textures, ktx2_falls_back_to_the_plain_image_or_is_refused_by_name) {
       {{"source", 1}, {"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}};
   EXPECT_NE(scene::load(file.save()).images.at(1), nullptr);
 
+  const auto ktx2 = read_file(GROUNDGLASS_SOURCE_DIR "/tests/image/ktx2/uastc.ktx2");
+  file.json["images"][0]["uri"] = data_uri("ktx2", base64(ktx2.data(), ktx2.size()));
   file.json["textures"][0].erase("source");
-  EXPECT_TRUE(fails_with(ExitCode::unsupported, {"textures[0]", "KHR_texture_basisu", "PNG"},
+  EXPECT_TRUE(fails_with(ExitCode::unsupported, {"images[0]", "KTX2", "libktx", "PNG"},
+                         [&] { scene::load(file.save()); }));
+  file.json["extensionsRequired"] = {"KHR_texture_basisu"};
+  EXPECT_TRUE(fails_with(ExitCode::unsupported, {"KHR_texture_basisu", "libktx", "PNG"},
                          [&] { scene::load(file.save()); }));
 }
 

@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "gpu/surface/library.h"
+#include "core/library.h"
 #include "gpu/surface/surface.h"
 
 #include <GL/osmesa.h>
@@ -11,7 +11,8 @@ namespace gg::gpu::surface {
 namespace {
 
 struct OsmesaFunctions {
-  Library library{{"libOSMesa.so.8", "libOSMesa.so.6"}}; // the latter is a name for the same
+  Library library{std::vector<std::string>{"libOSMesa.so.8",
+                                           "libOSMesa.so.6"}}; // the latter is a name for the same
   decltype(&OSMesaCreateContextAttribs) create = nullptr;
   decltype(&OSMesaDestroyContext) destroy = nullptr;
   decltype(&OSMesaMakeCurrent) make_current = nullptr;

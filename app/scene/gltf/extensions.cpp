@@ -1,5 +1,6 @@
 #include "scene/gltf/extensions.h"
 
+#include "image/image.h"
 #include "scene/gltf/fail.h"
 
 #include <algorithm>
@@ -29,8 +30,7 @@ constexpr std::array known = {
     "KHR_materials_diffuse_transmission",
 };
 
-// Known by what is done instead: the fallback image is used, or the file is refused where it is
-// needed (images.cpp).
+// Read where libktx is there; else the plain image beside it is used, or the file refused where it has none (images.cpp).
 constexpr std::string_view basis = "KHR_texture_basisu";
 
 bool is_known(std::string_view name) {
@@ -49,11 +49,12 @@ std::string printable(const std::string& name) {
 void check_extensions(const nlohmann::json& json, const std::string& file) {
   if (json.contains("extensionsRequired"))
     for (const std::string name : json["extensionsRequired"]) {
-      if (name == basis)
+      if (name == basis && !image::can_decode_ktx2())
         fail_unsupported(file, "extensionsRequired",
-                         "the file requires KHR_texture_basisu (KTX2 images), which is not read",
-                         "Export it with PNG, JPEG or WebP images.");
-      if (!is_known(name))
+                         "the file requires KHR_texture_basisu: KTX2 images, which libktx reads; "
+                         "it is not installed",
+                         image::without_libktx);
+      if (!is_known(name) && name != basis)
         fail_unsupported(file, "extensionsRequired",
                          "the file requires " + printable(name) + ", which is not supported",
                          "Export it without that extension.");

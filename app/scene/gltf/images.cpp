@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstring>
 #include <exception>
 #include <mutex>
 #include <set>
@@ -63,11 +62,6 @@ Sampler sampler_of(const Document& document, int index) {
          fmt::format("is {}, which glTF does not have", source.minFilter));
   }
   return s;
-}
-
-bool is_ktx2(std::span<const std::byte> bytes) {
-  constexpr unsigned char start[] = {0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB};
-  return bytes.size() >= sizeof start && std::memcmp(bytes.data(), start, sizeof start) == 0;
 }
 
 // Textures that the given materials read, in order.
@@ -137,9 +131,14 @@ std::vector<Slot*> slots(Material& m) {
 void read_textures(const Document& document, Scene& scene) {
   for (const tinygltf::Texture& source : document.model().textures) {
     Texture texture;
-    const auto webp = source.extensions.find("EXT_texture_webp");
-    texture.image =
-        webp != source.extensions.end() ? integer_or(webp->second, "source", none) : source.source;
+    // The plain picture before KTX2, which loses some of it and is not read on every machine.
+    const auto of_extension = [&](const char* name) {
+      const auto found = source.extensions.find(name);
+      return found != source.extensions.end() ? integer_or(found->second, "source", none) : none;
+    };
+    const Index webp = of_extension("EXT_texture_webp");
+    texture.image = webp != none ? webp : source.source;
+    if (texture.image == none) texture.image = of_extension("KHR_texture_basisu");
     if (source.sampler >= 0) texture.sampler = sampler_of(document, source.sampler);
     scene.textures.push_back(texture);
   }
@@ -164,9 +163,6 @@ void decode_images(Document& document, const std::vector<bool>& material_is_used
   for (const Index i : images) {
     const std::string name = document.name() + ": " + element("images", i);
     const auto bytes = document.image(i);
-    if (is_ktx2(bytes))
-      fail_unsupported(document.name(), element("images", i), "is a KTX2 image, which is not read",
-                       export_plain);
     jobs.push_back({i, bytes, name});
     scene.images.resize(std::max(scene.images.size(), static_cast<std::size_t>(i) + 1));
   }

@@ -8,12 +8,12 @@
 
 namespace gg::scene::gltf {
 
-// Fills Scene::textures (by glTF index) and makes room for Scene::images. A texture in a format
-// that is not read (KTX2) falls back to the plain image beside it; one that has none gets `none`.
+// Fills Scene::textures (by glTF index) and makes room for Scene::images. A texture takes
+// the WebP or plain image that it has, else the KTX2 one; one that has none gets `none`.
 void read_textures(const Document& document, Scene& scene);
 
 // Decodes the images that the slots of these materials reach, several at a time. Throws
-// Error(input) for a broken image, Error(unsupported) for a texture that is only there as KTX2.
+// Error(input) for a broken image, Error(unsupported) for KTX2 where there is no libktx.
 void decode_images(Document& document, const std::vector<bool>& material_is_used, Scene& scene);
 
 // Every texture slot of a material.

@@ -4,21 +4,23 @@
 
 #include <dlfcn.h>
 
-#include <initializer_list>
+#include <string>
+#include <vector>
 
-namespace gg::gpu::surface {
+namespace gg {
 
 class Library {
 public:
-  // The first of the names that is there. RTLD_LOCAL: libOSMesa exports the names of all GL
+  // The first of the names or paths that is there. RTLD_LOCAL: libOSMesa exports the names of all GL
   // functions, which must not stand in for those of another driver.
-  explicit Library(std::initializer_list<const char*> names) {
-    for (const char* name : names)
-      if (!handle_) handle_ = ::dlopen(name, RTLD_NOW | RTLD_LOCAL);
+  explicit Library(const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+      if (!handle_) handle_ = ::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
   }
 
   explicit operator bool() const { return handle_ != nullptr; }
 
+  // Null if it is not there.
   template <class Function>
   void load(Function& function, const char* name) const {
     function = handle_ ? reinterpret_cast<Function>(::dlsym(handle_, name)) : nullptr;
@@ -28,4 +30,4 @@ private:
   void* handle_ = nullptr;
 };
 
-} // namespace gg::gpu::surface
+} // namespace gg
