@@ -1,10 +1,19 @@
 #include "core/suggest.h"
 
 #include <algorithm>
+#include <cctype>
+#include <utility>
 #include <vector>
 
 namespace gg {
 namespace {
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
 
 // Optimal string alignment: the restricted form, which never edits what it has swapped.
 std::size_t distance(std::string_view a, std::string_view b) {
@@ -30,16 +39,18 @@ std::size_t distance(std::string_view a, std::string_view b) {
 std::string nearest(std::string_view word, std::span<const std::string> names) {
   constexpr std::size_t longest = 64; // names are short; a path typed in their place is not one
   if (word.size() > longest) return {};
+  const std::string lower = lower_case(word);
   std::string best;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  // Of names as near the one whose case is as typed.
+  std::pair least{std::max<std::size_t>(1, word.size() / 3) + 1, std::size_t{0}};
   for (const std::string& name : names)
-    if (const std::size_t d = distance(word, name); d < least) {
+    if (const std::pair d{distance(lower, lower_case(name)), distance(word, name)}; d < least) {
       least = d;
       best = name;
     }
   if (!best.empty() || word.size() < 3) return best;
-  const auto begun =
-      std::ranges::find_if(names, [&](const std::string& name) { return name.starts_with(word); });
+  const auto begun = std::ranges::find_if(
+      names, [&](const std::string& name) { return lower_case(name).starts_with(lower); });
   return begun != names.end() ? *begun : std::string();
 }
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 namespace gg::test {
 namespace {
 
@@ -54,6 +57,11 @@ TEST(snippet, says_what_it_cannot_do) {
   const Finished unknown = run_program({"snippet", "ggxx"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_NE(unknown.err.find("Did you mean ggx?"), std::string::npos) << unknown.err;
+  for (const auto& [typed, meant] : {std::pair{"ggxd", "ggxD"}, std::pair{"GGX", "ggx"}}) {
+    const Finished cased = run_program({"snippet", typed});
+    EXPECT_NE(cased.err.find("Did you mean " + std::string(meant) + "?"), std::string::npos)
+        << cased.err;
+  }
   const Finished misspelt = run_program({"snippet", "--explain", "refractTwoPair"});
   EXPECT_NE(misspelt.err.find("Did you mean refractTwoPairs?"), std::string::npos) << misspelt.err;
   const Finished target = run_program({"snippet", "ggx", "--target", "hlsll"});

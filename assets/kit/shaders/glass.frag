@@ -5,8 +5,10 @@
 GG_SAMPLER(2) sampler2D ggBaseColor;
 GG_SAMPLER(3) sampler2D ggRoughness;
 GG_SAMPLER(11) sampler2D ggBackFaces;
+#ifdef GG_TWO_PAIRS
 GG_SAMPLER(12) sampler2D ggSecondFronts;
 GG_SAMPLER(13) sampler2D ggSecondBacks;
+#endif
 GG_VARYING(0) in vec3 vPosition;
 GG_VARYING(1) in vec3 vNormal;
 GG_VARYING(2) in vec2 vUv;
@@ -23,9 +25,11 @@ float gg_engineSceneDepth(vec2 at) { // depth 0 near, 1 far, not reversed
   return z >= 1.0 ? 1e30 : ggRange.x * ggRange.y / (ggRange.y - z * (ggRange.y - ggRange.x));
 }
 vec4 gg_engineFace(int layer, vec2 at) {
-  if (layer == gg_BACK_FACES) return textureLod(ggBackFaces, ggPlace(at), 0.0);
+#ifdef GG_TWO_PAIRS
   if (layer == gg_SECOND_FRONTS) return textureLod(ggSecondFronts, ggPlace(at), 0.0);
-  return textureLod(ggSecondBacks, ggPlace(at), 0.0);
+  if (layer == gg_SECOND_BACKS) return textureLod(ggSecondBacks, ggPlace(at), 0.0);
+#endif
+  return textureLod(ggBackFaces, ggPlace(at), 0.0);
 }
 vec3 gg_engineEnvironment(vec3 direction, float sigma) { return ggEnvironment(direction, sigma); }
 
