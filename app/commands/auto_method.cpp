@@ -100,8 +100,8 @@ ChosenMethod choose_method(const SceneOptions& scene, const DeviceOptions& devic
   const NamedMethod& chosen = methods()[choice->index];
   const std::size_t i = choice->index;
   note(fmt::format(
-      "--method auto: {}, {:.3g} ms per frame of one sample per pixel, relMSE {:.3g} over the "
-      "objects ({:.3g} 1 %-trimmed){}",
+      "--method auto: {}, {:.3g} ms for a frame of one sample per pixel, relMSE {:.3g} over the "
+      "objects (1 %-trimmed: {:.3g}){}",
       chosen.name, all[i].ms, all[i].error, best[i].error,
       choice->met ? "" : "; no method meets the limit, this one comes nearest"));
   return {chosen, choice->met};

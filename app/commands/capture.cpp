@@ -104,13 +104,16 @@ nlohmann::json time_frames(gpu::Device& device, frame::Renderer& renderer, int c
 void print_times(std::FILE* to, const nlohmann::json& report, int frames) {
   const auto& ms = report.at("frame_ms");
   fmt::print(to,
-             "{} frames of one sample per pixel: median {:.2f} ms, least {:.2f}, 95th percentile "
-             "{:.2f}, most {:.2f}; CPU submit {:.2f} ms; {} resources created\n",
+             "{} frames of one sample per pixel: median {:.2f} ms, min {:.2f}, 95th percentile "
+             "{:.2f}, max {:.2f}; CPU submit time {:.2f} ms; {} resources created\n",
              frames, ms.at("median").get<double>(), ms.at("min").get<double>(),
              ms.at("p95").get<double>(), ms.at("max").get<double>(),
              report.at("cpu_submit_ms").get<double>(), report.at("resources_created").get<int>());
+  std::size_t widest = 0;
   for (const auto& [label, pass_ms] : report.at("pass_ms").items())
-    fmt::print(to, "  {:<20} {:8.2f} ms\n", label, pass_ms.get<double>());
+    widest = std::max(widest, label.size());
+  for (const auto& [label, pass_ms] : report.at("pass_ms").items())
+    fmt::print(to, "  {:<{}} {:8.2f} ms\n", label, widest, pass_ms.get<double>());
 }
 
 void check(const CaptureOptions& o) {
@@ -215,7 +218,8 @@ void capture(const CaptureOptions& o) {
   }
   if (!chosen.within_limit)
     throw Error(ExitCode::different, o.method.budget ? "--budget" : "--max-error",
-                "is met by no method", "The picture is drawn by the nearest: " + method.name + ".");
+                "no method meets it",
+                "The picture is drawn by the one that comes nearest: " + method.name + ".");
 }
 
 // The frames of an animation, one file each. Device and environment serve them all, and what is on the device as long as nothing
@@ -299,6 +303,7 @@ void add_capture(Command program) {
   add_options(command, options->sequence);
   add_options(command, options->device);
   add_options(command, options->method);
+  add_automatic(command, options->method);
   command.option("--exposure", &options->exposure,
                  "Stops of brightness added for display (.png, .jpg)");
   command.option("--tonemap", &options->tonemap, "none, neutral, aces or agx (.png, .jpg)");

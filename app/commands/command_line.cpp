@@ -7,7 +7,9 @@
 
 #include <charconv>
 #include <concepts>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 
 namespace gg::commands {
 namespace {
@@ -99,8 +101,14 @@ std::vector<std::string> command_names(const CLI::App& app) {
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
   const std::string help =
       "See groundglass " + (chosen.empty() ? "" : command.get_name() + " ") + "--help.";
-  std::vector<std::string> unknown = command.remaining();
-  if (unknown.empty()) unknown = app.remaining();
+  const std::vector<std::string> before = app.remaining();
+  if (!chosen.empty() && !before.empty())
+    throw Error(ExitCode::usage, before.front(), "stands before the command",
+                "Put the command first: groundglass " + command.get_name() + " ...");
+  const std::vector<std::string> unknown = chosen.empty() ? before : command.remaining();
+  if (chosen.empty() && !unknown.empty() && !unknown.front().starts_with('-'))
+    throw Error(ExitCode::usage, unknown.front(), "is not a command",
+                did_you_mean(unknown.front(), command_names(app)) + help);
   for (const std::string& word : unknown)
     if (word.starts_with('-')) {
       const std::string name = word.substr(0, word.find('='));
@@ -109,16 +117,23 @@ std::vector<std::string> command_names(const CLI::App& app) {
                       + (chosen.empty() ? "" : " " + command.get_name()),
                   did_you_mean(name, option_names(command)) + help);
     }
-  if (!unknown.empty() && chosen.empty())
-    throw Error(ExitCode::usage, unknown.front(), "is not a command",
-                did_you_mean(unknown.front(), command_names(app)) + help);
   if (!unknown.empty())
     throw Error(ExitCode::usage, unknown.front(), "is one argument too many", help);
   if (chosen.empty()) throw Error(ExitCode::usage, "", "no command is given", help);
-  // "--output: 1 required TEXT missing"
   const std::string what = error.what();
-  if (const std::size_t colon = what.find(": 1 required"); colon != std::string::npos)
-    throw Error(ExitCode::usage, what.substr(0, colon), "is given without a value", help);
+  for (const auto& [theirs, ours] : {
+           std::pair{": 1 required",
+                     "is given without a value"},               // "--size: 1 required TEXT missing"
+           {" is required", "is missing"},                      // "SCENE is required"
+           {": At Most 1 required", "is given more than once"}, // "...but received 2"
+       })
+    if (const std::size_t at = what.find(theirs); at != std::string::npos)
+      throw Error(ExitCode::usage, what.substr(0, at), ours, help);
+  // "--spp excludes --error"
+  constexpr std::string_view excludes = " excludes ";
+  if (const std::size_t at = what.find(excludes); at != std::string::npos)
+    throw Error(ExitCode::usage, what.substr(0, at),
+                "is given with " + what.substr(at + excludes.size()), "Choose one. " + help);
   throw Error(ExitCode::usage, "", what, help);
 }
 

@@ -1,8 +1,11 @@
 // groundglass convert: a picture of linear radiance, as truth writes it, for a display.
 #include "commands/commands.h"
+#include "commands/options.h"
 #include "core/error.h"
 #include "frame/display.h"
 #include "image/image.h"
+
+#include <fmt/core.h>
 
 #include <cmath>
 
@@ -26,14 +29,15 @@ void convert(const ConvertOptions& o) {
   image::write(o.out, image::is_display_extension(o.out)
                           ? frame::for_display(picture, o.exposure, tone_map)
                           : picture);
+  fmt::print(text_stream({o.out}), "{}: {} x {} pixels\n", o.out, picture.width, picture.height);
 }
 
 } // namespace
 
 void add_convert(Command program) {
   auto options = std::make_shared<ConvertOptions>();
-  Command command =
-      program.subcommand("convert", "Write a picture in another format, as .exr for a display");
+  Command command = program.subcommand(
+      "convert", "Write a picture as another kind of file: an .exr as a .png, say");
   command.option("PICTURE", &options->picture, "The picture to read (.exr, .hdr, .pfm, .png, .jpg)")
       .required();
   command.option("-o,--output", &options->out, "Picture to write: .png, .jpg, .exr, .hdr or .pfm")

@@ -46,8 +46,9 @@ fs::path find_environment(const std::string& text) {
     if (text == stem || text == without_resolution(stem)) return entry.path();
   }
   const std::vector<std::string> names = environment_names();
-  throw Error(ExitCode::input, text, "is neither a file nor an environment that ships",
-              fmt::format("{}Those are {}.", did_you_mean(text, names), fmt::join(names, ", ")));
+  throw Error(ExitCode::input, text, "is neither a file nor the name of an environment",
+              fmt::format("{}Give a .hdr or .exr file; a name: {}; a colour R,G,B; or none.",
+                          did_you_mean(text, names), fmt::join(names, ", ")));
 }
 
 } // namespace gg::commands

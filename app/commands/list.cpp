@@ -23,7 +23,7 @@ std::string description_of(const NamedMethod& method) {
 }
 
 void print_presets() {
-  fmt::print("Materials (--material 'NAME=PRESET'):\n");
+  fmt::print("Presets of materials (--material 'NAME=PRESET'):\n");
   for (const scene::Preset& p : scene::presets()) {
     if (p.kind == scene::PresetKind::conductor)
       fmt::print("  {:<16} metal\n", p.name);

@@ -67,7 +67,7 @@ void add_needs(Command program) {
   add_options(command, options->scene);
   add_options(command, options->method);
   command.option("--json", &options->json,
-                 "Write the same to this file; - for standard output, in place of the text");
+                 "Write the same as JSON to this file, or to standard output: -");
   command.action([options] { print(*options); });
 }
 

@@ -61,21 +61,26 @@ void add_options(Command command, SceneOptions& o) {
 void add_view_options(Command command, SceneOptions& o) {
   command.option("--material", &o.materials,
                  "NAME=PRESET[,key=value...], * for every material; may be repeated");
-  command.option("--time", &o.time, "Pose the scene by its animation, so many seconds into it");
+  command.option("--time", &o.time, "Pose the scene as its animation has it, so many seconds in");
   command.option("--animation", &o.animation,
-                 "Which animation, by name or index: the first, and the time is 0 if not given");
+                 "The animation that --time is of, by name or index (the first if not given)");
   command.option(
       "--env", &o.env,
-      "Environment: an equirectangular .hdr or .exr, a name (see list), a colour R,G,B, or none");
+      "Environment: an equirectangular .hdr or .exr, a name (see list), a colour R,G,B, or none "
+      "(royal_esplanade if not given)");
   command.option("--env-rotation", &o.env_rotation,
                  "Degrees about +Y, counter-clockwise seen from above");
   command.option("--env-intensity", &o.env_intensity, "Factor on the environment's radiance");
   command.option("--size", &o.size, "Width x height in pixels");
-  command.option("--camera", &o.camera, "A camera of the file, by name or index");
-  command.option("--eye", &o.eye, "Where the camera is: X,Y,Z in metres");
-  command.option("--target", &o.target, "What it looks at: X,Y,Z");
-  command.option("--up", &o.up, "Which way is up: X,Y,Z");
-  command.option("--fovy", &o.fovy, "Vertical field of view in degrees");
+  command.option(
+      "--camera", &o.camera,
+      "A camera of the file, by name or index (its first if not given, or one that shows all)");
+  command.option("--eye", &o.eye, "A camera at this place: X,Y,Z in metres");
+  command.option("--target", &o.target,
+                 "With --eye: what it looks at, X,Y,Z (the scene's centre if not given)");
+  command.option("--up", &o.up, "With --eye: which way is up, X,Y,Z");
+  command.option("--fovy", &o.fovy,
+                 "Vertical field of view in degrees (45, or the camera's own, if not given)");
   command.option("--ortho", &o.ortho,
                  "With --eye: an orthographic camera that sees so many metres from top to bottom");
 }
@@ -88,22 +93,29 @@ void add_background(Command command, SceneOptions& o) {
 
 void add_options(Command command, DeviceOptions& o) {
   command.option("--backend", &o.backend, "opengl, vulkan, or auto: the first that works");
-  command.option("--surface", &o.surface, "egl or osmesa (OpenGL only)");
+  command.option(
+      "--surface", &o.surface,
+      "What OpenGL draws with when there is no window: egl or osmesa (the first that works)");
   command.option("--device", &o.device, "Index from `groundglass devices`");
 }
 
 void add_options(Command command, MethodOptions& o) {
   command.option("--method", &o.method,
-                 "A name (see list); or auto, which measures all of them on the scene first");
-  command.option("--budget", &o.budget, "For --method auto: the most accurate within so many ms");
-  command.option("--max-error", &o.max_error,
-                 "For --method auto: the fastest with a relMSE over the objects no larger");
-  command.option("--samples", &o.samples, "Sub-pixel samples averaged: antialiasing");
+                 "How glass and metal are drawn: a name that `groundglass list methods` prints");
+  command.option("--samples", &o.samples, "Samples per pixel, averaged: antialiasing");
   command.option("--smith", &o.smith, "Shadowing: separable (Walter 2007) or correlated");
   command.flag("--multiscatter", o.multiscatter, "Give back the energy of multiple scattering");
   command.option(
       "--without", &o.without,
       "Draw without features, named as `needs` names them: 'normal map,dispersion,neighbours'");
+}
+
+void add_automatic(Command command, MethodOptions& o) {
+  command.option("--budget", &o.budget,
+                 "With --method auto, which measures all methods on the scene: take the most "
+                 "accurate within so many ms for a frame of one sample per pixel");
+  command.option("--max-error", &o.max_error,
+                 "With --method auto: take the fastest whose relMSE over the objects is no larger");
 }
 
 Size parse_size(const std::string& text) {
@@ -130,7 +142,7 @@ scene::Scene load_scene(const SceneOptions& options) {
 
 scene::Scene load_scene(const SceneOptions& options, scene::File& file) {
   if (options.time && !std::isfinite(*options.time))
-    refuse("--time", std::to_string(*options.time), "It is a time in seconds.");
+    refuse("--time", fmt::to_string(*options.time), "It is a time in seconds.");
   std::optional<scene::Instant> instant;
   if (options.time || !options.animation.empty())
     instant = {.time = options.time.value_or(0.0f), .animation = options.animation};
@@ -143,7 +155,7 @@ scene::Scene load_scene(const SceneOptions& options, scene::File& file) {
 scene::Camera choose_camera(const SceneOptions& options, const scene::Scene& scene, Size size) {
   constexpr float radians = 0.01745329252f;
   if (options.fovy && !(*options.fovy > 0.0f && *options.fovy < 180.0f))
-    refuse("--fovy", std::to_string(*options.fovy),
+    refuse("--fovy", fmt::to_string(*options.fovy),
            "The angle is more than 0 and less than 180 degrees.");
   if (!options.camera.empty() && !options.eye.empty())
     throw Error(ExitCode::usage, "--camera", "and --eye are both given", "Choose one.");
@@ -156,7 +168,7 @@ scene::Camera choose_camera(const SceneOptions& options, const scene::Scene& sce
                        parse_vec3(options.up, "--up"), options.fovy.value_or(45.0f) * radians);
     if (!options.ortho) return camera;
     if (!(*options.ortho > 0.0f) || !std::isfinite(*options.ortho))
-      refuse("--ortho", std::to_string(*options.ortho), "It is a height in metres, more than 0.");
+      refuse("--ortho", fmt::to_string(*options.ortho), "It is a height in metres, more than 0.");
     const float half = 0.5f * *options.ortho;
     camera.orthographic = true;
     camera.magnification = {half * static_cast<float>(size.width) / static_cast<float>(size.height),
@@ -187,9 +199,9 @@ bool camera_is_framed(const SceneOptions& options, const scene::Scene& scene) {
 std::optional<environment::Map> load_environment(const SceneOptions& options,
                                                  const scene::Scene& scene) {
   if (!(options.env_intensity >= 0.0f) || !std::isfinite(options.env_intensity))
-    refuse("--env-intensity", std::to_string(options.env_intensity), "It is a factor, 0 or more.");
+    refuse("--env-intensity", fmt::to_string(options.env_intensity), "It is a factor, 0 or more.");
   if (!std::isfinite(options.env_rotation))
-    refuse("--env-rotation", std::to_string(options.env_rotation), "It is an angle in degrees.");
+    refuse("--env-rotation", fmt::to_string(options.env_rotation), "It is an angle in degrees.");
   if (options.env == "none") {
     if (scene.lights.empty())
       note(options.scene + ": has no lights and --env is none: only what emits light is seen");
@@ -278,7 +290,7 @@ std::string typed_view(const SceneOptions& o) {
   return line;
 }
 
-std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options) {
+gpu::DeviceDesc device_of(const DeviceOptions& options) {
   gpu::DeviceDesc desc{.device = options.device.value_or(-1)};
   if (options.surface == "egl")
     desc.surface = gpu::Surface::egl;
@@ -293,8 +305,13 @@ std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options) {
   else if (options.backend != "auto")
     refuse("--backend", options.backend, "The backends are opengl, vulkan and auto.");
   if (desc.backend == gpu::Backend::vulkan && !options.surface.empty())
-    throw Error(ExitCode::usage, "--surface", "is OpenGL's business",
+    throw Error(ExitCode::usage, "--surface", "is of OpenGL alone",
                 "Leave it out with --backend vulkan.");
+  return desc;
+}
+
+std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options) {
+  gpu::DeviceDesc desc = device_of(options);
   if (options.backend != "auto") return gpu::create_device(desc);
   try {
     desc.backend = gpu::Backend::vulkan;
@@ -333,7 +350,7 @@ NamedMethod find_method(const std::string& text, const std::string& option) {
       option, text,
       did_you_mean(text, names)
           + fmt::format("The methods are {}, fis1 to fis{}", fmt::join(names, ", "), most_samples)
-          + (option == "--method" ? ", and auto for capture." : "."));
+          + (option == "--method" ? ", and for capture auto." : "."));
 }
 
 needs::Method parse_method(const std::string& text) {

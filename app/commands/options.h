@@ -54,6 +54,8 @@ void add_view_options(Command command, SceneOptions& options);
 void add_background(Command command, SceneOptions& options);
 void add_options(Command command, DeviceOptions& options);
 void add_options(Command command, MethodOptions& options);
+// --budget and --max-error, for the command that takes --method auto.
+void add_automatic(Command command, MethodOptions& options);
 
 // Everything that can be wrong with where the results go, before the work that makes them: throws Error(output) for a path
 // that cannot be written, Error(usage) for two that are one. Empty paths do not count.
@@ -78,6 +80,8 @@ std::optional<environment::Map> load_environment(const SceneOptions& options,
                                                  const scene::Scene& scene);
 // Throws Error(usage) if it is not understood, or if there is no environment to replace.
 frame::Background background_of(const SceneOptions& options);
+// Which device the options name, before it is opened. Throws Error(usage) for names that do not exist.
+gpu::DeviceDesc device_of(const DeviceOptions& options);
 std::unique_ptr<gpu::Device> open_device(const DeviceOptions& options);
 
 // What --env means: a file, or nothing for `none` and a colour.

@@ -99,6 +99,7 @@ report::Plan plan_of(const ReportOptions& o) {
   for (const std::string& backend : split(o.backends, "--backend")) {
     const DeviceOptions device{
         .backend = backend, .surface = backend == "vulkan" ? "" : o.surface, .device = o.device};
+    device_of(device); // before hours of work, not after
     plan.devices.emplace_back(backend, [device] { return open_device(device); });
   }
   for (const std::string& scene : o.scenes) {
@@ -126,9 +127,11 @@ void run(const ReportOptions& o) {
     unmet = unmet || !section.choice->met;
   }
   const report::Work& work = outcome.work;
-  fmt::print("{}: {} of {} scenes; {} truths traced, {} pictures drawn, {} timed in this run\n",
-             (plan.directory / "report.html").string(), outcome.report.sections.size(),
-             plan.subjects.size(), work.traced, work.drawn, work.timed);
+  if (!outcome.report.sections.empty()) // else there is no page
+    fmt::print(
+        "{}: {} of {} scenes; in this run truths traced: {}, pictures drawn: {}, timed: {}\n",
+        (plan.directory / "report.html").string(), outcome.report.sections.size(),
+        plan.subjects.size(), work.traced, work.drawn, work.timed);
   if (outcome.interrupted)
     throw Error(ExitCode::interrupted, o.out,
                 fmt::format("interrupted; {} of {} scenes are in the report",
@@ -146,32 +149,39 @@ void add_report(Command program) {
   Command command = program.subcommand(
       "report", "Measure how fast and how wrong each method is, and write a page about it");
   command.option("SCENE", &o->scenes, "glTF 2.0 files").required();
-  command.option("-o,--output", &o->out, "Directory for the report and its cache").required();
-  command.option("--methods", &o->methods, "With commas between them (all if not given)");
+  command.option("-o,--output", &o->out, "The folder for the page, its data and its cache")
+      .required();
+  command.option(
+      "--methods", &o->methods,
+      "Names that `groundglass list methods` prints, with commas between them (all if not given)");
   command.option("--backend", &o->backends, "opengl, vulkan, or both: opengl,vulkan");
   command.option("--surface", &o->surface, "egl or osmesa (OpenGL only)");
   command.option("--device", &o->device, "Index from `groundglass devices`");
   add_view_options(command, o->view);
   command
       .option("--samples", &o->samples,
-              "Samples per pixel of the pictures: a point for each, by default 1,4,16")
+              "Samples per pixel of the pictures, with commas between them: a point for each "
+              "(1,4,16 if not given)")
       .comma_separated();
-  command.option("--frames", &o->pictures, "Pictures to time, of each");
+  command.option("--frames", &o->pictures,
+                 "How often each picture is timed; slow scenes stop at 5");
   const Option spp = command.option("--spp", &o->spp, "Samples per pixel of the truth");
   command
       .option("--error", &o->error,
-              "Trace until the truth's relative error is this small (see truth --help)")
+              "In place of --spp: trace until the truth's relative error is this small (see truth "
+              "--help)")
       .excludes(spp);
   command.option("--smith", &o->smith, "Shadowing: separable (Walter 2007) or correlated");
   command.flag("--multiscatter", o->multiscatter,
                "Give back the energy of multiple scattering, in the truth too");
   const Option budget =
       command.option("--budget", &o->budget,
-                     "Name the method within so many ms whose 1 %-trimmed relMSE over the "
-                     "objects' pixels is least");
+                     "Name the most accurate method within so many ms for a picture (1 %-trimmed "
+                     "relMSE over the objects); exit 7 if none is");
   command
-      .option("--max-error", &o->max_error,
-              "Name the fastest method whose relMSE over the objects is no larger")
+      .option(
+          "--max-error", &o->max_error,
+          "Name the fastest method whose relMSE over the objects is no larger; exit 7 if none is")
       .excludes(budget);
   command.action([o] { run(*o); });
 }

@@ -6,7 +6,6 @@
 #include "tables/proof.h"
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 namespace gg::commands {
@@ -18,13 +17,15 @@ void add_tables(Command program) {
   };
   const auto options = std::make_shared<Options>();
   Command command =
-      program.subcommand("tables", "Fit the tables of lobes (assets/tables): minutes");
-  command.option("-o,--output", &options->out, "Directory for the tables, which must exist");
+      program.subcommand("tables", "Fit the tables of lobes again (assets/tables); takes minutes");
+  command.option("-o,--output", &options->out,
+                 "The folder for the tables; made if it is not there");
   command.option("--only", &options->only,
                  "Make only the files whose names match this regular expression, as lobes[12]-ggx");
-  command.flag("--prove", options->prove,
-               "Make none: score those in assets/tables against standard practice, on environments "
-               "that no fit has seen, and print the table");
+  command.flag(
+      "--prove", options->prove,
+      "Fit nothing: print how much nearer the tables in assets/tables are to the exact lobes "
+      "than standard practice, on environments that no fit has seen");
   command.action([options] {
     if (options->prove) {
       Progress progress("proof", tables::proof_rows());
@@ -34,8 +35,6 @@ void add_tables(Command program) {
     if (options->out.empty())
       throw Error(ExitCode::usage, "tables", "needs -o DIRECTORY or --prove",
                   "For instance: groundglass tables -o assets/tables.");
-    if (!std::filesystem::is_directory(options->out))
-      throw Error(ExitCode::output, options->out, "is not a directory", "Create it first.");
     tables::make_tables(options->out, options->only);
   });
 }

@@ -1,5 +1,6 @@
 // groundglass truth: the scene path traced, with its own error stated.
 #include "commands/commands.h"
+#include "commands/json_file.h"
 #include "commands/options.h"
 #include "core/clock.h"
 #include "core/error.h"
@@ -25,7 +26,6 @@ namespace gg::commands {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 struct TruthOptions {
   SceneOptions scene;
@@ -148,25 +148,12 @@ truth::Film film_of(const TruthOptions& o, const std::map<std::string, std::stri
 }
 
 std::string command_line(const TruthOptions& o, long spp) {
-  std::string line = fmt::format("groundglass truth {} -o {} --size {} --spp {} --seed {}",
-                                 o.scene.scene, name_of(o), o.scene.size, spp, o.seed);
-  const auto add = [&](const char* option, const std::string& value) {
-    if (!value.empty()) line += fmt::format(" {} {}", option, value);
-  };
-  add("--env", o.scene.env);
-  if (o.scene.env_rotation != 0.0f) add("--env-rotation", fmt::format("{}", o.scene.env_rotation));
-  if (o.scene.env_intensity != 1.0f)
-    add("--env-intensity", fmt::format("{}", o.scene.env_intensity));
-  add("--camera", o.scene.camera);
-  add("--eye", o.scene.eye);
-  add("--target", o.scene.target);
-  if (!o.scene.eye.empty()) add("--up", o.scene.up);
-  if (o.scene.fovy) add("--fovy", fmt::format("{}", *o.scene.fovy));
-  if (o.smith != "separable") add("--smith", o.smith);
+  std::string line =
+      fmt::format("groundglass truth {} -o {}{} --spp {} --seed {}", in_shell(o.scene.scene),
+                  in_shell(name_of(o)), typed_view(o.scene), spp, o.seed);
+  if (o.smith != "separable") line += " --smith " + o.smith;
   if (o.multiscatter) line += " --multiscatter";
-  if (o.clamp) add("--clamp", fmt::format("{}", *o.clamp));
-  for (const std::string& material : o.scene.materials)
-    add("--material", "'" + material + "'");
+  if (o.clamp) line += fmt::format(" --clamp {}", *o.clamp);
   if (o.half) line += " --half";
   return line + (o.surface_only ? " --surface-only" : "");
 }
@@ -262,27 +249,25 @@ void trace(TruthOptions o) {
   const image::Exr picture = picture_of(film, scene, settings, o);
   if (!o.exr.empty()) image::write_exr(o.exr, o.half ? halved(picture) : picture);
   if (!o.png.empty()) write_png(film, o, tone_map);
-  if (!o.json.empty()) {
-    OutputFile file(o.json);
-    file.write(json{{"width", size.width},
-                    {"height", size.height},
-                    {"samples", film.samples()},
-                    {"seconds", seconds},
-                    {"relative_error", film.relative_error()},
-                    {"mean_standard_error", std::stod(picture.attributes.at("meanStandardError"))},
-                    {"clamped_share", film.clamped_share()},
-                    {"complete", complete},
-                    {"command", picture.attributes.at("command")}}
-                   .dump(2)
-               + "\n");
-    file.commit();
-  }
-  fmt::print(
-      text_stream({o.exr, o.png, o.json}), "{}: {} samples per pixel, error {:.2f} %, {:.1f} s{}\n",
-      name_of(o), film.samples(), 100.0 * film.relative_error(), seconds,
-      o.clamp ? fmt::format("; clamping took {:.3g} % of the light, which the error leaves out",
-                            100.0 * film.clamped_share())
-              : "");
+  if (!o.json.empty())
+    write_json(o.json,
+               {{"width", size.width},
+                {"height", size.height},
+                {"samples", film.samples()},
+                {"seconds", seconds},
+                {"relative_error", film.relative_error()},
+                {"mean_standard_error", std::stod(picture.attributes.at("meanStandardError"))},
+                {"clamped_share", film.clamped_share()},
+                {"complete", complete},
+                {"command", picture.attributes.at("command")}});
+  fmt::print(text_stream({o.exr, o.png, o.json}),
+             "{}{}: {} x {} pixels, {} samples per pixel, error {:.2f} %, {:.1f} s{}\n", name_of(o),
+             o.exr.empty() || o.png.empty() ? "" : " and " + o.png, size.width, size.height,
+             film.samples(), 100.0 * film.relative_error(), seconds,
+             o.clamp
+                 ? fmt::format("; clamping took {:.3g} % of the light, which the error leaves out",
+                               100.0 * film.clamped_share())
+                 : "");
   if (!complete)
     throw Error(ExitCode::interrupted, name_of(o),
                 fmt::format("interrupted; {} samples per pixel are kept", film.samples()),
@@ -295,7 +280,7 @@ void trace(TruthOptions o) {
 void add_truth(Command program) {
   auto options = std::make_shared<TruthOptions>();
   Command command =
-      program.subcommand("truth", "Path trace the scene, until its error is small enough");
+      program.subcommand("truth", "Path trace a scene: the reference, with its own error");
   add_options(command, options->scene);
   add_background(command, options->scene);
   command
@@ -303,34 +288,35 @@ void add_truth(Command program) {
               "Picture to write: .exr (radiance, error, object ids), .png (for display), or one of "
               "each")
       .required();
-  const Option spp =
-      command.option("--spp", &options->spp,
-                     fmt::format("Samples per pixel ({} if nothing is said)", default_spp));
+  const Option spp = command.option(
+      "--spp", &options->spp, fmt::format("Samples per pixel ({} if not given)", default_spp));
   command
       .option("--error", &options->error,
-              "Go on until the standard error over (mean + 0.1), RMS over the objects' "
-              "pixels, is this small: 0.05 is 5 %")
+              "In place of --spp: trace until the relative error is this small, 0.05 for 5 %: a "
+              "pixel's standard error over (its mean + 0.1), RMS over the objects' pixels")
       .excludes(spp);
-  command.option("--seed", &options->seed, "Of the random numbers");
+  command.option("--seed", &options->seed, "Seed of the random numbers: another seed, other noise");
   command.option("--smith", &options->smith, "Shadowing: separable (Walter 2007) or correlated");
   command.flag("--multiscatter", options->multiscatter,
                "Give back the energy of multiple scattering between a metal's facets");
   command.option(
       "--clamp", &options->clamp,
-      "The most that one path of scattered light may bring, radiance: less noise, and a bias "
-      "that is printed");
+      "The most radiance that one path of scattered light may bring: less noise, and a picture "
+      "that is darker by a share that is printed");
   command.flag("--surface-only", options->surface_only,
-               "Each visible point lit through its BSDF alone: nothing shadows, nothing is "
-               "reflected twice");
-  command.flag("--resume", options->resume, "Go on from the samples that the output file has");
-  command.flag("--half", options->half,
-               "Store 16-bit floats and no standard errors by pixel: a small reference, which "
-               "--resume cannot go on from");
+               "Light each visible point by the environment alone: no shadows, no second bounce");
+  command.flag("--resume", options->resume, "Go on from the samples in the .exr that -o names");
+  command.flag(
+      "--half", options->half,
+      "Write a smaller .exr: 16-bit floats, no standard error of each pixel; --resume cannot "
+      "go on from it");
   command.option("--exposure", &options->exposure, "Stops of brightness added for display (.png)");
   command.option("--tonemap", &options->tonemap, "none, neutral, aces or agx (.png)");
-  command.option("--preview", &options->preview, "Write the .png anew every so many seconds");
-  command.option("--threads", &options->threads, "0: as many as the machine has");
-  command.option("--json", &options->json, "Write times, samples and error to this file");
+  command.option("--preview", &options->preview,
+                 "While it traces, write the .png every so many seconds");
+  command.option("--threads", &options->threads, "Threads; 0: one for each core");
+  command.option("--json", &options->json,
+                 "Write samples, seconds and error to this file, or to standard output: -");
   command.action([options] { trace(*options); });
 }
 

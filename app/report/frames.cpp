@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <map>
 
 namespace gg::report {
 namespace {
@@ -26,7 +27,14 @@ std::string today() {
                      fmt::gmtime(std::chrono::system_clock::to_time_t(now)));
 }
 
-// One scene on one device: its environment, and a renderer for any method.
+// A method's renderer, and the device memory that it took.
+struct Drawing {
+  std::unique_ptr<frame::Renderer> renderer;
+  std::size_t bytes = 0;
+};
+
+// One scene on one device: its environment, and a renderer for each method, made once: what it has
+// compiled serves its pictures of every number of samples and their timing.
 class Stage {
 public:
   Stage(gpu::Device& device, const Plan& plan, const Subject& subject, const Loaded& loaded)
@@ -39,18 +47,23 @@ public:
   gpu::Device& device() const { return device_; }
   std::size_t environment_bytes() const { return environment_bytes_; }
 
-  std::unique_ptr<frame::Renderer> renderer(const Method& method, int samples) const {
-    return std::make_unique<frame::Renderer>(
+  const Drawing& drawing(const Method& method) {
+    Drawing& drawing = drawings_[method.name];
+    if (drawing.renderer) return drawing;
+    const std::size_t before = device_.memory_bytes();
+    drawing.renderer = std::make_unique<frame::Renderer>(
         device_, loaded_.scene,
         frame::FrameDesc{
             .width = subject_.width,
             .height = subject_.height,
-            .samples = samples,
+            .samples = plan_.samples.front(),
             .camera = loaded_.camera,
             .environment = {stack_ ? &*stack_ : nullptr, loaded_.rotation, loaded_.intensity},
             .method = method.method,
             .correlated_smith = plan_.correlated_smith,
             .multiple_scattering = plan_.multiple_scattering});
+    drawing.bytes = device_.memory_bytes() - before;
+    return drawing;
   }
 
 private:
@@ -60,6 +73,7 @@ private:
   const Loaded& loaded_;
   std::optional<environment::Stack> stack_;
   std::size_t environment_bytes_ = 0;
+  std::map<std::string, Drawing> drawings_; // by method
 };
 
 std::string picture_key(const Subject& subject, const Plan& plan, const DeviceFacts& device,
@@ -73,35 +87,36 @@ std::string picture_key(const Subject& subject, const Plan& plan, const DeviceFa
   return key.add(samples).text();
 }
 
-image::Image draw(const Stage& stage, const Method& method, int samples, const std::string& what) {
-  const auto renderer = stage.renderer(method, samples);
+image::Image draw(Stage& stage, const Method& method, int samples, const std::string& what) {
   Progress progress(what, samples);
+  progress.update(0);
+  frame::Renderer& renderer = *stage.drawing(method).renderer;
+  if (frame::FrameDesc desc = renderer.desc(); desc.samples != samples) {
+    desc.samples = samples;
+    renderer.set(desc);
+  }
   for (int i = 0; i < samples; ++i) {
     stop_if_asked();
-    renderer->draw_sample(i);
+    renderer.draw_sample(i);
     progress.update(i + 1);
   }
-  return renderer->read();
+  return renderer.read();
 }
 
 // Fills in times, bytes, triangles and lookups of all cells.
 void time_all(const std::vector<std::unique_ptr<Stage>>& stages, const Plan& plan,
               const std::string& what, std::vector<Cell>& cells) {
-  std::vector<std::unique_ptr<frame::Renderer>> renderers;
   std::vector<Timed> timed;
   for (const auto& stage : stages)
     for (const Method& method : plan.methods) {
       stop_if_asked();
-      const std::size_t before = stage->device().memory_bytes();
-      renderers.push_back(stage->renderer(method, plan.samples.front()));
-      const std::size_t bytes =
-          stage->environment_bytes() + stage->device().memory_bytes() - before;
+      const Drawing& drawing = stage->drawing(method);
       for (const int samples : plan.samples) {
         Cell& cell = cells[timed.size()];
-        cell.bytes = bytes;
-        cell.triangles = renderers.back()->triangle_count();
-        cell.lookups = renderers.back()->needs().lookups;
-        timed.push_back({&stage->device(), renderers.back().get(), samples});
+        cell.bytes = stage->environment_bytes() + drawing.bytes;
+        cell.triangles = drawing.renderer->triangle_count();
+        cell.lookups = drawing.renderer->needs().lookups;
+        timed.push_back({&stage->device(), drawing.renderer.get(), samples});
       }
     }
   Progress progress(what + ": timing", plan.pictures);
@@ -170,7 +185,7 @@ Drawn drawn(const Subject& subject, const Plan& plan, const Cache& cache, Device
   const std::string times_key = all.add(plan.pictures).text();
 
   std::vector<std::unique_ptr<Stage>> stages(devices.count());
-  const auto stage = [&](std::size_t d) -> const Stage& {
+  const auto stage = [&](std::size_t d) -> Stage& {
     if (!stages[d]) stages[d] = std::make_unique<Stage>(devices.at(d), plan, subject, loaded());
     return *stages[d];
   };
@@ -180,8 +195,9 @@ Drawn drawn(const Subject& subject, const Plan& plan, const Cache& cache, Device
     const std::size_t sets = plan.methods.size() * plan.samples.size(); // of a device
     const Method& method = plan.methods[i % sets / plan.samples.size()];
     const int samples = result.cells[i].samples;
-    const std::string what = fmt::format("{}: {}, {} samples on {}", subject.name, method.name,
-                                         samples, result.cells[i].device.backend);
+    const std::string what =
+        fmt::format("{}: {}, {} sample{} on {}", subject.name, method.name, samples,
+                    samples == 1 ? "" : "s", result.cells[i].device.backend);
     const image::Image picture = draw(stage(i / sets), method, samples, what);
     if (const auto bad = image::find_non_finite(picture))
       throw Error(ExitCode::internal, what,

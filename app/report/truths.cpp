@@ -83,8 +83,11 @@ bool trace(const Subject& subject, const Plan& plan, const Loaded& loaded, truth
         plan.truth_error > 0.0
             ? (plan.truth_error / error) * (plan.truth_error / error)
             : static_cast<double>(samples) / static_cast<double>(plan.truth_samples);
-    progress.update(static_cast<long>(1000.0 * std::min(1.0, part)),
-                    fmt::format("{} samples per pixel, error {:.2f} %", samples, 100.0 * error));
+    // One sample does not know its error.
+    progress.update(
+        static_cast<long>(1000.0 * std::min(1.0, part)),
+        samples < 2 ? "1 sample per pixel"
+                    : fmt::format("{} samples per pixel, error {:.2f} %", samples, 100.0 * error));
   };
   return truth::render(integrator, camera, desc, film,
                        {.report = report, .stop = truth::Interruptible::requested});

@@ -131,6 +131,7 @@ TEST(commands, ask_whether_something_near_was_meant) {
     EXPECT_NE(f.err.find("Did you mean " + meant + "?"), std::string::npos) << f.err;
   };
   expect({"captrue", suzanne}, "capture");
+  expect({"captur", suzanne, "-o", "a.png"}, "capture"); // not "-o is not an option"
   expect({"capture", suzanne, "--ouput", "a.png"}, "--output");
   expect({"capture", suzanne, "-o", out("a.png"), "--method", "lobs2"}, "lobes2");
   expect({"report", suzanne, "-o", out("report"), "--methods", "standrad"}, "standard");
@@ -150,7 +151,12 @@ TEST(commands, say_in_our_words_which_option_is_wrong) {
   expect({"capture", suzanne, "-o", "a.png", "--fovy", "1e99"}, "--fovy: '1e99' is too large");
   expect({"capture", suzanne, "-o"}, "--output");
   expect({"report", suzanne, "-o", "a", "--methods", "foo"}, "--methods: 'foo'");
-  expect({"truth", suzanne, "-o", "a.exr", "--spp", "4", "--error", ".1"}, "excludes --");
+  expect({"truth", suzanne, "-o", "a.exr", "--spp", "4", "--error", ".1"},
+         "--spp: is given with --error");
+  expect({"capture"}, "SCENE: is missing");
+  expect({"capture", suzanne, "-o", "a.png", "--samples", "1", "--samples", "2"},
+         "--samples: is given more than once");
+  expect({"--size", "8x8", "capture", suzanne, "-o", "a.png"}, "--size: stands before the command");
   expect({"capture", suzanne, sky, "-o", "a.png"}, "one argument too many");
 }
 
@@ -213,6 +219,7 @@ TEST(capture, takes_environments_by_name_and_asks_whether_another_was_meant) {
   const Finished wrong = with("wrong.exr", "studio_smal_03");
   EXPECT_EQ(wrong.code, 3);
   EXPECT_NE(wrong.err.find("Did you mean studio_small_03?"), std::string::npos) << wrong.err;
+  EXPECT_NE(with("wrong.exr", "1,1").err.find("a colour R,G,B"), std::string::npos);
 }
 
 TEST(convert_command, shows_radiance_as_capture_does) {
@@ -224,9 +231,10 @@ TEST(convert_command, shows_radiance_as_capture_does) {
   };
   draw("radiance.exr");
   draw("shown.png");
-  ASSERT_EQ(
-      run_program({"convert", out("radiance.exr"), "-o", out("again.png"), "--exposure", "1"}).code,
-      0);
+  const Finished again =
+      run_program({"convert", out("radiance.exr"), "-o", out("again.png"), "--exposure", "1"});
+  ASSERT_EQ(again.code, 0);
+  EXPECT_NE(again.out.find("again.png: 32 x 24 pixels"), std::string::npos) << again.out;
   EXPECT_EQ(bytes(out("again.png")), bytes(out("shown.png")));
   EXPECT_EQ(run_program({"convert", out("radiance.exr"), "-o", out("again.gif")}).code, 2);
 }

@@ -53,7 +53,7 @@ TEST(report_command, writes_a_page_numbers_and_plots_and_a_second_run_does_nothi
   const auto both = words({"--methods", "standard,lobes1", "--max-error", "100"});
   const Finished first = run_program(both);
   ASSERT_EQ(first.code, 0) << first.err;
-  EXPECT_NE(first.out.find("1 truths traced, 2 pictures drawn, 2 timed"), std::string::npos)
+  EXPECT_NE(first.out.find("truths traced: 1, pictures drawn: 2, timed: 2"), std::string::npos)
       << first.out;
   EXPECT_NE(first.out.find("the fastest with a relMSE of at most 100"), std::string::npos)
       << first.out;
@@ -79,14 +79,14 @@ TEST(report_command, writes_a_page_numbers_and_plots_and_a_second_run_does_nothi
   const auto kept = times_of(out / "cache");
   const Finished second = run_program(both);
   ASSERT_EQ(second.code, 0) << second.err;
-  EXPECT_NE(second.out.find("0 truths traced, 0 pictures drawn, 0 timed"), std::string::npos)
+  EXPECT_NE(second.out.find("truths traced: 0, pictures drawn: 0, timed: 0"), std::string::npos)
       << second.out;
   EXPECT_EQ(contents(out / "report.html"), page);
   EXPECT_EQ(times_of(out / "cache"), kept);
 
   // What changed is done again, and no more: one picture fewer is a sitting of its own.
   const Finished third = run_program(words({"--methods", "lobes1"}));
-  EXPECT_NE(third.out.find("0 truths traced, 0 pictures drawn, 1 timed"), std::string::npos)
+  EXPECT_NE(third.out.find("truths traced: 0, pictures drawn: 0, timed: 1"), std::string::npos)
       << third.out;
 }
 
@@ -95,7 +95,7 @@ TEST(report_command, has_a_point_for_each_number_of_samples_with_its_own_time_an
   more[11] = "1,4";
   const Finished f = run_program(more);
   ASSERT_EQ(f.code, 0) << f.err;
-  EXPECT_NE(f.out.find("2 pictures drawn, 2 timed"), std::string::npos) << f.out;
+  EXPECT_NE(f.out.find("pictures drawn: 2, timed: 2"), std::string::npos) << f.out;
   const auto json = nlohmann::json::parse(contents(scratch_directory() / "report" / "report.json"));
   const auto& cells = json.at("scenes").at(0).at("cells");
   ASSERT_EQ(cells.size(), 2u);
@@ -114,13 +114,13 @@ TEST(report_command, goes_on_tracing_where_more_is_asked_for_and_damaged_results
   auto more = words({"--methods", "lobes1"});
   more[7] = "12";
   const Finished further = run_program(more);
-  EXPECT_NE(further.out.find("1 truths traced, 0 pictures drawn, 0 timed"), std::string::npos)
+  EXPECT_NE(further.out.find("truths traced: 1, pictures drawn: 0, timed: 0"), std::string::npos)
       << further.out;
   for (const auto& entry : fs::directory_iterator(cache))
     if (entry.path().extension() == ".json") std::ofstream(entry.path()) << "{";
   const Finished mended = run_program(more);
   EXPECT_EQ(mended.code, 0) << mended.err;
-  EXPECT_NE(mended.out.find("1 truths traced, 0 pictures drawn, 1 timed"), std::string::npos)
+  EXPECT_NE(mended.out.find("truths traced: 1, pictures drawn: 0, timed: 1"), std::string::npos)
       << mended.out;
 }
 
@@ -135,6 +135,7 @@ TEST(report_command, names_what_is_wrong_with_its_options) {
   expect_refusal({"--methods", "lobes1,,standard"}, 2, "--methods");
   expect_refusal({"--methods", "lobes1,lobes1"}, 2, "--methods");
   expect_refusal({"--backend", "metal"}, 2, "metal");
+  EXPECT_FALSE(fs::exists(scratch_directory() / "report")); // before the truth is traced
   expect_refusal({"--frames", "0"}, 2, "--frames");
   expect_refusal({"--max-error", "0"}, 2, "--max-error");
   expect_refusal({"--budget", "-1"}, 2, "--budget");

@@ -1,5 +1,6 @@
 // groundglass truth as a user meets it.
 #include "cli/program.h"
+#include "core/files.h"
 #include "image/image.h"
 #include "support/scratch.h"
 
@@ -58,7 +59,11 @@ TEST(truth_command, writes_the_mean_its_error_and_the_objects) {
 }
 
 TEST(truth_command, writes_pictures_to_look_at) {
-  ASSERT_EQ(run_program(command({"-o", out("b.png"), "--spp", "8"})).code, 0);
+  const Finished f =
+      run_program(command({"-o", out("b.png"), "--spp", "8", "--json", out("b.json")}));
+  ASSERT_EQ(f.code, 0);
+  EXPECT_NE(f.out.find("b.png: 24 x 16 pixels, 8 samples per pixel"), std::string::npos) << f.out;
+  EXPECT_NE(read_text(out("b.json")).find("\"schema\""), std::string::npos);
   ASSERT_EQ(run_program(command({"-o", out("c.exr"), "-o", out("c.png"), "--spp", "8", "--exposure",
                                  "-1", "--tonemap", "none"}))
                 .code,
