@@ -1,5 +1,6 @@
 #include "frame/neighbour_blocks.h"
 
+#include "glsl/f32.h"
 #include "glsl/f64.h"
 #include "needs/neighbours.h"
 #include "needs/proxies.h"
@@ -66,8 +67,13 @@ uniforms::NeighbourData block_of(const Maps& maps, const Material& m) {
   }
   const glm::vec3 surface = maps.mean(m.metallic_roughness_map, false);
   const float metallic = m.conductor ? 1.0f : m.metallic * surface.z;
-  const float alpha =
+  const float across =
       m.exact_alpha ? *m.exact_alpha : scene::microfacet_alpha(m) * surface.y * surface.y;
+  // Brushed: one width of the same variance of slopes.
+  const float alpha =
+      m.anisotropy_strength > 0.0f
+          ? glm::length(glsl::f32::ggxAnisoWidths(across, m.anisotropy_strength)) / std::sqrt(2.0f)
+          : across;
   const float normal = m.ior > 0.0f ? (m.ior - 1.0f) / (m.ior + 1.0f) : 1.0f;
   const glm::vec3 dielectric =
       glm::min(normal * normal * m.specular_color, glm::vec3(1.0f)) * m.specular;

@@ -57,7 +57,7 @@ BrushedFacets facetsOfSample(vec3 n, vec3 wo, vec3 brush, vec2 widths, float eta
     // slope² / widths.x² without a division that could be by 0: apart² is widths.x² - widths.y².
     float narrow2 = widths.y * widths.y;
     float steep2 = narrow2 < widths.x * widths.x ? s * s * (1.0 - narrow2 / (widths.x * widths.x)) : 0.0;
-    float across2 = STRETCHED_ACROSS * narrow2 * (1.0 + steep2) / lean;
+    float across2 = stretchedAcross(widths) * (1.0 + steep2) / lean;
     float along = apart * 2.0 * (1.0 + s * s) * sqrt(1.0 + s * s) * spacing / lean;
     f.alpha = min(sqrt(across2 + STRETCHED_ALONG * along * along), 1.0);
     // By the share of facets of that slope in what wo sees of all.

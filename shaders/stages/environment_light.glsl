@@ -93,10 +93,9 @@ EnvironmentLight environmentLobe(Surface s) {
         light.lobe.sigma = 0.0;
         light.lobe.weight = 1.0;
     } else {
-        float width = brushedLobes > 0 ? stretchedEnergyAlpha(brushWidths(s)) : s.alpha;
+        float width = brushedLobes > 0 ? stretchedEnergyAlpha(s.wo * brushFrame(s), brushWidths(s)) : s.alpha;
         LobeEnergy energy = fetchLobeEnergy(energyTable, cosO, width);
         albedo = energy.albedo;
-        if (brushedLobes > 0) albedo = stretchedAlbedo(s.wo * brushFrame(s), brushWidths(s));
         reflectance = lobeMeanRgb(energy, materialFresnel(s, energy.cos1), materialFresnel(s, energy.cos2));
         // At a constant angle Fresnel's branches would ask for the material's numbers alone (of_pixel.glsl).
         light.edge = edgeShare(meanOf(materialFresnel(s, ofPixel(1.0))), meanOf(reflectance));

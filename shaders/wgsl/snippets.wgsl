@@ -1,4 +1,4 @@
-// Made by shaders/wgsl/make of 2a022f04842fadad66223010478501b333da9741794568324bcd42fcf82e76d2: do not edit.
+// Made by shaders/wgsl/make of 000ece65e691100da2ced0f32ae56dae75e166b345270237e368db41f73c6cde: do not edit.
 struct Tilt {
     p: f32,
     z: f32,
@@ -4957,13 +4957,35 @@ fn stretchedParts(alpha_80: vec2<f32>) -> i32 {
     return _e46;
 }
 
-fn stretchedEnergyAlpha(alpha_82: vec2<f32>) -> f32 {
+fn stretchedEnergyAlpha(wo_50: vec3<f32>, alpha_82: vec2<f32>) -> f32 {
+    var wo_51: vec3<f32>;
     var alpha_83: vec2<f32>;
+    var mean_2: f32;
+    var apart: f32;
+    var side_3: f32;
 
+    wo_51 = wo_50;
     alpha_83 = alpha_82;
-    let _e20 = alpha_83;
-    let _e22 = alpha_83;
-    return sqrt((_e20.x * _e22.y));
+    let _e23 = alpha_83;
+    let _e25 = alpha_83;
+    let _e28 = alpha_83;
+    let _e30 = alpha_83;
+    mean_2 = (0.5f * ((_e23.x * _e25.x) + (_e28.y * _e30.y)));
+    let _e36 = alpha_83;
+    let _e38 = alpha_83;
+    let _e41 = alpha_83;
+    let _e43 = alpha_83;
+    apart = ((_e36.x * _e38.x) - (_e41.y * _e43.y));
+    let _e48 = wo_51;
+    let _e50 = wo_51;
+    let _e53 = wo_51;
+    let _e55 = wo_51;
+    side_3 = ((_e48.x * _e50.x) - (_e53.y * _e55.y));
+    let _e60 = mean_2;
+    let _e61 = apart;
+    let _e62 = side_3;
+    let _e66 = alpha_83;
+    return sqrt((_e60 + ((_e61 * _e62) * (0.24f - (0.46f * _e66.x)))));
 }
 
 fn stretchedQuantile(s_5: f32) -> f32 {
@@ -4989,14 +5011,30 @@ fn stretchedSlope(quantile: f32) -> f32 {
     return (_e30 * inverseSqrt((1f - (_e32 * _e33))));
 }
 
-fn stretchedPart(wo_50: vec3<f32>, alpha_84: vec2<f32>, k_13: i32, count: i32, shift: f32, sharpness: f32) -> StretchedPart {
-    var wo_51: vec3<f32>;
+fn stretchedAcross(alpha_84: vec2<f32>) -> f32 {
     var alpha_85: vec2<f32>;
+    var ratio_1: f32;
+
+    alpha_85 = alpha_84;
+    let _e22 = alpha_85;
+    let _e24 = alpha_85;
+    ratio_1 = (_e22.y / _e24.x);
+    let _e29 = ratio_1;
+    let _e30 = ratio_1;
+    let _e32 = ratio_1;
+    let _e35 = alpha_85;
+    let _e38 = alpha_85;
+    return ((mix(STRETCHED_ACROSS, 1f, ((_e29 * _e30) * _e32)) * _e35.y) * _e38.y);
+}
+
+fn stretchedPart(wo_52: vec3<f32>, alpha_86: vec2<f32>, k_13: i32, count: i32, shift: f32, sharpness: f32) -> StretchedPart {
+    var wo_53: vec3<f32>;
+    var alpha_87: vec2<f32>;
     var k_14: i32;
     var count_1: i32;
     var shift_1: f32;
     var sharpness_1: f32;
-    var apart: f32;
+    var apart_1: f32;
     var z_9: f32;
     var root_1: f32;
     var low_6: f32;
@@ -5012,34 +5050,34 @@ fn stretchedPart(wo_50: vec3<f32>, alpha_84: vec2<f32>, k_13: i32, count: i32, s
     var wi_42: vec3<f32>;
     var visible: f32;
 
-    wo_51 = wo_50;
-    alpha_85 = alpha_84;
+    wo_53 = wo_52;
+    alpha_87 = alpha_86;
     k_14 = k_13;
     count_1 = count;
     shift_1 = shift;
     sharpness_1 = sharpness;
-    let _e32 = alpha_85;
-    let _e34 = alpha_85;
-    let _e37 = alpha_85;
-    let _e39 = alpha_85;
-    apart = sqrt(max(((_e32.x * _e34.x) - (_e37.y * _e39.y)), LEAST_LENGTH2));
-    let _e46 = wo_51;
+    let _e32 = alpha_87;
+    let _e34 = alpha_87;
+    let _e37 = alpha_87;
+    let _e39 = alpha_87;
+    apart_1 = sqrt(max(((_e32.x * _e34.x) - (_e37.y * _e39.y)), LEAST_LENGTH2));
+    let _e46 = wo_53;
     z_9 = max(_e46.z, LEAST_COSINE);
-    let _e50 = wo_51;
-    let _e52 = wo_51;
+    let _e50 = wo_53;
+    let _e52 = wo_53;
     let _e55 = z_9;
     let _e56 = z_9;
     root_1 = sqrt(((_e50.x * _e52.x) + (_e55 * _e56)));
     let _e61 = root_1;
-    let _e62 = wo_51;
+    let _e62 = wo_53;
     let _e66 = z_9;
-    let _e67 = apart;
+    let _e67 = apart_1;
     let _e70 = stretchedQuantile((-((_e61 + _e62.x)) / (_e66 * _e67)));
     low_6 = _e70;
     let _e72 = root_1;
-    let _e73 = wo_51;
+    let _e73 = wo_53;
     let _e76 = z_9;
-    let _e77 = apart;
+    let _e77 = apart_1;
     let _e80 = stretchedQuantile(((_e72 - _e73.x) / (_e76 * _e77)));
     high_1 = _e80;
     let _e82 = high_1;
@@ -5052,7 +5090,7 @@ fn stretchedPart(wo_50: vec3<f32>, alpha_84: vec2<f32>, k_13: i32, count: i32, s
     let _e96 = spacing;
     let _e99 = stretchedSlope((_e89 + (((f32(_e90) + 0.5f) + _e94) * _e96)));
     s_7 = _e99;
-    let _e101 = apart;
+    let _e101 = apart_1;
     let _e102 = s_7;
     slope_3 = (_e101 * _e102);
     let _e106 = slope_3;
@@ -5061,85 +5099,52 @@ fn stretchedPart(wo_50: vec3<f32>, alpha_84: vec2<f32>, k_13: i32, count: i32, s
     let _e113 = slope_3;
     let _e118 = lean_2;
     part.n = (vec3<f32>(-(_e113), 0f, 1f) * inverseSqrt(_e118));
-    let _e121 = alpha_85;
-    let _e124 = alpha_85;
-    let _e128 = slope_3;
-    let _e129 = slope_3;
-    let _e131 = alpha_85;
-    let _e133 = alpha_85;
-    let _e139 = lean_2;
-    across2_ = ((((STRETCHED_ACROSS * _e121.y) * _e124.y) * (1f + ((_e128 * _e129) / (_e131.x * _e133.x)))) / _e139);
-    let _e142 = sharpness_1;
-    let _e143 = apart;
-    let _e148 = s_7;
-    let _e149 = s_7;
-    let _e154 = s_7;
-    let _e155 = s_7;
-    let _e160 = spacing;
-    let _e162 = lean_2;
-    along_5 = ((((((_e142 * _e143) * 2f) * (1f + (_e148 * _e149))) * sqrt((1f + (_e154 * _e155)))) * _e160) / _e162);
-    let _e166 = across2_;
-    let _e167 = along_5;
-    let _e169 = along_5;
-    part.alpha = min(sqrt((_e166 + ((STRETCHED_ALONG * _e167) * _e169))), 1f);
-    let _e175 = wo_51;
-    let _e176 = part;
-    c_25 = dot(_e175, _e176.n);
-    let _e181 = c_25;
-    let _e183 = part;
-    let _e186 = wo_51;
-    wi_42 = (((2f * _e181) * _e183.n) - _e186);
-    let _e190 = z_9;
-    let _e191 = z_9;
-    let _e192 = z_9;
-    let _e194 = apart;
-    let _e195 = apart;
-    let _e197 = wo_51;
-    let _e200 = wo_51;
-    visible = (0.5f * (_e190 + sqrt(((_e191 * _e192) + (((_e194 * _e195) * _e197.x) * _e200.x)))));
-    let _e209 = spacing;
-    let _e210 = c_25;
-    let _e214 = part;
-    let _e217 = visible;
-    let _e220 = wi_42;
-    let _e221 = alpha_85;
-    let _e222 = ggxAnisoG1(_e220, _e221);
-    part.weight = (((_e209 * max(_e210, 0f)) / (_e214.n.z * _e217)) * _e222);
-    let _e224 = part;
-    return _e224;
-}
-
-fn stretchedAlbedo(wo_52: vec3<f32>, alpha_86: vec2<f32>) -> f32 {
-    var wo_53: vec3<f32>;
-    var alpha_87: vec2<f32>;
-    var sum_12: f32 = 0f;
-    var k_15: i32 = 0i;
-    var part_1: StretchedPart;
-
-    wo_53 = wo_52;
-    alpha_87 = alpha_86;
-    loop {
-        let _e28 = k_15;
-        if !((_e28 < 8i)) {
-            break;
-        }
-        {
-            let _e35 = wo_53;
-            let _e36 = alpha_87;
-            let _e37 = k_15;
-            let _e41 = stretchedPart(_e35, _e36, _e37, 8i, 0f, 1f);
-            part_1 = _e41;
-            let _e43 = sum_12;
-            let _e44 = part_1;
-            sum_12 = (_e43 + _e44.weight);
-        }
-        continuing {
-            let _e32 = k_15;
-            k_15 = (_e32 + 1i);
-        }
-    }
-    let _e47 = sum_12;
-    return min(_e47, 1f);
+    let _e121 = alpha_87;
+    let _e122 = stretchedAcross(_e121);
+    let _e124 = slope_3;
+    let _e125 = slope_3;
+    let _e127 = alpha_87;
+    let _e129 = alpha_87;
+    let _e135 = lean_2;
+    across2_ = ((_e122 * (1f + ((_e124 * _e125) / (_e127.x * _e129.x)))) / _e135);
+    let _e138 = sharpness_1;
+    let _e139 = apart_1;
+    let _e144 = s_7;
+    let _e145 = s_7;
+    let _e150 = s_7;
+    let _e151 = s_7;
+    let _e156 = spacing;
+    let _e158 = lean_2;
+    along_5 = ((((((_e138 * _e139) * 2f) * (1f + (_e144 * _e145))) * sqrt((1f + (_e150 * _e151)))) * _e156) / _e158);
+    let _e162 = across2_;
+    let _e163 = along_5;
+    let _e165 = along_5;
+    part.alpha = min(sqrt((_e162 + ((STRETCHED_ALONG * _e163) * _e165))), 1f);
+    let _e171 = wo_53;
+    let _e172 = part;
+    c_25 = dot(_e171, _e172.n);
+    let _e177 = c_25;
+    let _e179 = part;
+    let _e182 = wo_53;
+    wi_42 = (((2f * _e177) * _e179.n) - _e182);
+    let _e186 = z_9;
+    let _e187 = z_9;
+    let _e188 = z_9;
+    let _e190 = apart_1;
+    let _e191 = apart_1;
+    let _e193 = wo_53;
+    let _e196 = wo_53;
+    visible = (0.5f * (_e186 + sqrt(((_e187 * _e188) + (((_e190 * _e191) * _e193.x) * _e196.x)))));
+    let _e205 = spacing;
+    let _e206 = c_25;
+    let _e210 = part;
+    let _e213 = visible;
+    let _e216 = wi_42;
+    let _e217 = alpha_87;
+    let _e218 = ggxAnisoG1(_e216, _e217);
+    part.weight = (((_e205 * max(_e206, 0f)) / (_e210.n.z * _e213)) * _e218);
+    let _e220 = part;
+    return _e220;
 }
 
 fn capFormFactor(cosTheta_32: f32, sin2_6: f32) -> f32 {
@@ -5253,7 +5258,7 @@ fn rectangleVector(centre_2: vec3<f32>, u_11: vec3<f32>, v_25: vec3<f32>) -> vec
     var b_21: vec3<f32>;
     var c_27: vec3<f32>;
     var d_16: vec3<f32>;
-    var sum_13: vec3<f32>;
+    var sum_12: vec3<f32>;
     var local_55: f32;
     var turned: f32;
 
@@ -5288,7 +5293,7 @@ fn rectangleVector(centre_2: vec3<f32>, u_11: vec3<f32>, v_25: vec3<f32>) -> vec
     let _e65 = d_16;
     let _e66 = a_29;
     let _e67 = edgeVector(_e65, _e66);
-    sum_13 = (((_e56 + _e59) + _e63) + _e67);
+    sum_12 = (((_e56 + _e59) + _e63) + _e67);
     let _e70 = u_12;
     let _e71 = v_26;
     let _e73 = centre_3;
@@ -5299,7 +5304,7 @@ fn rectangleVector(centre_2: vec3<f32>, u_11: vec3<f32>, v_25: vec3<f32>) -> vec
     }
     let _e81 = local_55;
     turned = _e81;
-    let _e83 = sum_13;
+    let _e83 = sum_12;
     let _e84 = turned;
     return (_e83 * (_e84 / 6.2831855f));
 }
@@ -5388,7 +5393,7 @@ fn sphereShare(centre_6: vec3<f32>, radius_2: f32, direction_2: vec3<f32>, sigma
     var disc: f32;
     var off: f32;
     var towards: vec3<f32>;
-    var side_3: f32;
+    var side_4: f32;
     var across_10: f32;
 
     centre_7 = centre_6;
@@ -5477,13 +5482,13 @@ fn sphereShare(centre_6: vec3<f32>, radius_2: f32, direction_2: vec3<f32>, sigma
     let _e187 = axis;
     towards = (_e183 - (dot(_e184, _e185) * _e187));
     let _e191 = towards;
-    side_3 = length(_e191);
-    let _e194 = side_3;
+    side_4 = length(_e191);
+    let _e194 = side_4;
     if (_e194 > LEAST_LENGTH) {
         let _e197 = off;
         let _e199 = axis;
         let _e201 = off;
-        let _e203 = side_3;
+        let _e203 = side_4;
         let _e205 = towards;
         found.direction = ((cos(_e197) * _e199) + ((sin(_e201) / _e203) * _e205));
     }
@@ -6235,13 +6240,13 @@ fn exitSecant(way_2: ExitWay) -> f32 {
     return mix(_e44.tInside, _e46.tOutside, _e48);
 }
 
-fn exitSpacing(k_16: i32) -> f32 {
-    var k_17: i32;
+fn exitSpacing(k_15: i32) -> f32 {
+    var k_16: i32;
     var x_25: f32;
     var x3_: f32;
 
-    k_17 = k_16;
-    let _e27 = k_17;
+    k_16 = k_15;
+    let _e27 = k_16;
     x_25 = (0.25f * f32(_e27));
     let _e31 = x_25;
     let _e32 = x_25;
@@ -6457,7 +6462,7 @@ fn sceneGuess(origin_4: vec4<f32>, along_10: vec4<f32>, view_11: SceneView) -> S
     var view_12: SceneView;
     var met_1: SceneIntersection;
     var at_15: vec2<f32>;
-    var k_18: i32 = 0i;
+    var k_17: i32 = 0i;
     var depth_7: f32;
     var sky: bool;
     var local_65: f32;
@@ -6476,7 +6481,7 @@ fn sceneGuess(origin_4: vec4<f32>, along_10: vec4<f32>, view_11: SceneView) -> S
     let _e44 = scenePixel(_e41, _e42.size);
     at_15 = _e44;
     loop {
-        let _e48 = k_18;
+        let _e48 = k_17;
         let _e50 = met_1;
         if !(((_e48 < SCENE_GUESSES) && !(_e50.seen))) {
             break;
@@ -6520,7 +6525,7 @@ fn sceneGuess(origin_4: vec4<f32>, along_10: vec4<f32>, view_11: SceneView) -> S
             let _e103 = view_12;
             let _e105 = scenePixel(_e102, _e103.size);
             next = _e105;
-            let _e108 = k_18;
+            let _e108 = k_17;
             let _e111 = next;
             let _e113 = at_15;
             let _e120 = next;
@@ -6530,8 +6535,8 @@ fn sceneGuess(origin_4: vec4<f32>, along_10: vec4<f32>, view_11: SceneView) -> S
             at_15 = _e129;
         }
         continuing {
-            let _e55 = k_18;
-            k_18 = (_e55 + 1i);
+            let _e55 = k_17;
+            k_17 = (_e55 + 1i);
         }
     }
     let _e130 = met_1;
@@ -6598,13 +6603,13 @@ fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> S
     var heightHigh: f32 = 0f;
     var crossed: bool = false;
     var depth_8: f32 = 0f;
-    var k_19: i32 = 1i;
+    var k_18: i32 = 1i;
     var p_8: vec3<f32>;
     var beyond: f32;
     var bordered: bool;
     var local_67: f32;
     var gap: f32;
-    var k_20: i32 = 0i;
+    var k_19: i32 = 0i;
     var local_68: f32;
     var share_3: f32;
     var u_17: f32;
@@ -6646,13 +6651,13 @@ fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> S
     met_2.behind = 0f;
     met_2.metres = -1f;
     loop {
-        let _e92 = k_19;
+        let _e92 = k_18;
         let _e94 = crossed;
         if !(((_e92 <= SCENE_STEPS) && !(_e94))) {
             break;
         }
         {
-            let _e101 = k_19;
+            let _e101 = k_18;
             high_2 = (f32(_e101) / 12f);
             let _e106 = a_31;
             let _e107 = b_22;
@@ -6668,7 +6673,7 @@ fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> S
             let _e137 = depth_8;
             heightHigh = (_e134.z - (1f / _e137));
             let _e140 = heightHigh;
-            let _e143 = k_19;
+            let _e143 = k_18;
             let _e146 = heightLow;
             crossed = ((_e140 < 0f) && ((_e143 == 1i) || (_e146 >= 0f)));
             let _e151 = crossed;
@@ -6682,8 +6687,8 @@ fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> S
             }
         }
         continuing {
-            let _e98 = k_19;
-            k_19 = (_e98 + 1i);
+            let _e98 = k_18;
+            k_18 = (_e98 + 1i);
         }
     }
     let _e155 = crossed;
@@ -6720,12 +6725,12 @@ fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> S
     let _e205 = heightHigh;
     gap = max((_e204 - _e205), LEAST_DIVISOR);
     loop {
-        let _e211 = k_20;
+        let _e211 = k_19;
         if !((_e211 < SCENE_SECANTS)) {
             break;
         }
         {
-            let _e217 = k_20;
+            let _e217 = k_19;
             if ((_e217 % 2i) == 0i) {
                 local_68 = 0.5f;
             } else {
@@ -6797,8 +6802,8 @@ fn sceneMarch(origin_8: vec4<f32>, along_12: vec4<f32>, view_13: SceneView) -> S
             heightHigh = _e298;
         }
         continuing {
-            let _e214 = k_20;
-            k_20 = (_e214 + 1i);
+            let _e214 = k_19;
+            k_19 = (_e214 + 1i);
         }
     }
     let _e299 = low_7;
@@ -7016,7 +7021,7 @@ fn backFaceBeside(own: BackFace, at_20: vec2<f32>, p_12: vec3<f32>, which_2: Fac
 
 fn wideningGgx(lobes_2: i32) -> Widening {
     var lobes_3: i32;
-    var k_21: Widening;
+    var k_20: Widening;
     var local_74: f32;
     var local_75: f32;
     var local_76: f32;
@@ -7029,7 +7034,7 @@ fn wideningGgx(lobes_2: i32) -> Widening {
         local_74 = 0.6f;
     }
     let _e40 = local_74;
-    k_21.shape = _e40;
+    k_20.shape = _e40;
     let _e42 = lobes_3;
     if (_e42 > 1i) {
         local_75 = 0.91f;
@@ -7037,7 +7042,7 @@ fn wideningGgx(lobes_2: i32) -> Widening {
         local_75 = 0.6f;
     }
     let _e48 = local_75;
-    k_21.shapeRays = _e48;
+    k_20.shapeRays = _e48;
     let _e50 = lobes_3;
     if (_e50 > 1i) {
         local_76 = 1.05f;
@@ -7045,15 +7050,15 @@ fn wideningGgx(lobes_2: i32) -> Widening {
         local_76 = 0.95f;
     }
     let _e56 = local_76;
-    k_21.energyCore = _e56;
-    k_21.energyTail = 0.85f;
-    let _e59 = k_21;
+    k_20.energyCore = _e56;
+    k_20.energyTail = 0.85f;
+    let _e59 = k_20;
     return _e59;
 }
 
 fn wideningBeckmann(lobes_4: i32) -> Widening {
     var lobes_5: i32;
-    var k_22: Widening;
+    var k_21: Widening;
     var local_77: f32;
     var local_78: f32;
     var local_79: f32;
@@ -7066,7 +7071,7 @@ fn wideningBeckmann(lobes_4: i32) -> Widening {
         local_77 = 1.2f;
     }
     let _e40 = local_77;
-    k_22.shape = _e40;
+    k_21.shape = _e40;
     let _e42 = lobes_5;
     if (_e42 > 1i) {
         local_78 = 1.3f;
@@ -7074,7 +7079,7 @@ fn wideningBeckmann(lobes_4: i32) -> Widening {
         local_78 = 1.2f;
     }
     let _e48 = local_78;
-    k_22.shapeRays = _e48;
+    k_21.shapeRays = _e48;
     let _e50 = lobes_5;
     if (_e50 > 1i) {
         local_79 = 1.3f;
@@ -7082,9 +7087,9 @@ fn wideningBeckmann(lobes_4: i32) -> Widening {
         local_79 = 1.5f;
     }
     let _e56 = local_79;
-    k_22.energyCore = _e56;
-    k_22.energyTail = 1.6f;
-    let _e59 = k_22;
+    k_21.energyCore = _e56;
+    k_21.energyTail = 1.6f;
+    let _e59 = k_21;
     return _e59;
 }
 
@@ -7115,11 +7120,11 @@ fn sphereTurn(cosTheta_38: f32) -> vec2<f32> {
     return vec2<f32>(2f, (2f * _e34));
 }
 
-fn seeExit(inner: InnerLobe, core: bool, s_15: ExitSurface, k_23: Widening) -> ExitView {
+fn seeExit(inner: InnerLobe, core: bool, s_15: ExitSurface, k_22: Widening) -> ExitView {
     var inner_1: InnerLobe;
     var core_1: bool;
     var s_16: ExitSurface;
-    var k_24: Widening;
+    var k_23: Widening;
     var v_32: ExitView;
     var local_80: f32;
     var alpha2_: f32;
@@ -7137,7 +7142,7 @@ fn seeExit(inner: InnerLobe, core: bool, s_15: ExitSurface, k_23: Widening) -> E
     inner_1 = inner;
     core_1 = core;
     s_16 = s_15;
-    k_24 = k_23;
+    k_23 = k_22;
     let _e41 = inner_1;
     let _e43 = s_16;
     v_32.cosTheta = min(dot(_e41.direction, _e43.n), 1f);
@@ -7162,8 +7167,8 @@ fn seeExit(inner: InnerLobe, core: bool, s_15: ExitSurface, k_23: Widening) -> E
     let _e81 = spread_3;
     let _e82 = spread_3;
     spread2_ = (_e81 * _e82);
-    let _e85 = k_24;
-    let _e87 = k_24;
+    let _e85 = k_23;
+    let _e87 = k_23;
     let _e90 = spread2_;
     rays2_ = ((_e85.shape * _e87.shape) * _e90);
     let _e93 = rays2_;
@@ -7177,8 +7182,8 @@ fn seeExit(inner: InnerLobe, core: bool, s_15: ExitSurface, k_23: Widening) -> E
     }
     let _e103 = local_81;
     rays = _e103;
-    let _e105 = k_24;
-    let _e107 = k_24;
+    let _e105 = k_23;
+    let _e107 = k_23;
     let _e109 = rays;
     shape_1 = mix(_e105.shape, _e107.shapeRays, _e109);
     let _e112 = alpha2_;
@@ -7188,10 +7193,10 @@ fn seeExit(inner: InnerLobe, core: bool, s_15: ExitSurface, k_23: Widening) -> E
     shape2_ = (_e112 + ((_e113 * _e114) * _e116));
     let _e120 = core_1;
     if _e120 {
-        let _e121 = k_24;
+        let _e121 = k_23;
         local_82 = _e121.energyCore;
     } else {
-        let _e123 = k_24;
+        let _e123 = k_23;
         local_82 = _e123.energyTail;
     }
     let _e126 = local_82;
@@ -7444,7 +7449,7 @@ fn backFaceExit(origin_14: vec3<f32>, direction_24: vec3<f32>, first_6: f32, eta
     var p_16: vec3<f32> = vec3(0f);
     var found_3: bool = false;
     var lost_2: bool = false;
-    var k_25: i32 = 0i;
+    var k_24: i32 = 0i;
     var clip_3: vec4<f32>;
     var here_2: vec3<f32>;
     var met_4: f32;
@@ -7475,7 +7480,7 @@ fn backFaceExit(origin_14: vec3<f32>, direction_24: vec3<f32>, first_6: f32, eta
     let _e70 = first_7;
     t_29 = _e70;
     loop {
-        let _e88 = k_25;
+        let _e88 = k_24;
         let _e90 = found_3;
         let _e93 = lost_2;
         if !((((_e88 < BACK_FACE_STEPS) && !(_e90)) && !(_e93))) {
@@ -7517,7 +7522,7 @@ fn backFaceExit(origin_14: vec3<f32>, direction_24: vec3<f32>, first_6: f32, eta
             let _e147 = met_4;
             meets = ((_e138.exists && (dot(_e140, _e141.n) > 0f)) && (_e147 > 0f));
             let _e152 = clip_3;
-            let _e157 = k_25;
+            let _e157 = k_24;
             let _e160 = face_9;
             lost_2 = (!((_e152.w > 0f)) || ((_e157 == 0i) && !(_e160.exists)));
             let _e165 = from_1;
@@ -7537,7 +7542,7 @@ fn backFaceExit(origin_14: vec3<f32>, direction_24: vec3<f32>, first_6: f32, eta
             let _e188 = moved;
             let _e189 = moved;
             found_3 = (((!(_e179) && _e181) && (_e183.w > 0f)) && (dot(_e188, _e189) < 0.5f));
-            let _e194 = k_25;
+            let _e194 = k_24;
             if (_e194 == 0i) {
                 let _e197 = face_9;
                 let _e199 = here_2;
@@ -7571,8 +7576,8 @@ fn backFaceExit(origin_14: vec3<f32>, direction_24: vec3<f32>, first_6: f32, eta
             t_29 = _e219;
         }
         continuing {
-            let _e97 = k_25;
-            k_25 = (_e97 + 1i);
+            let _e97 = k_24;
+            k_24 = (_e97 + 1i);
         }
     }
     let _e220 = found_3;
@@ -7608,7 +7613,7 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     var weight_1: f32;
     var energy_2: f32;
     var lobe_3: ComposedLobe;
-    var ratio_1: f32;
+    var ratio_2: f32;
     var along_16: vec3<f32>;
     var sinTheta_1: f32;
     var t_30: vec3<f32>;
@@ -7654,9 +7659,9 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
         lobe_3.weight = 0f;
     }
     let _e79 = s_18;
-    ratio_1 = (1f / _e79.eta);
+    ratio_2 = (1f / _e79.eta);
     let _e83 = view_28;
-    let _e88 = ratio_1;
+    let _e88 = ratio_2;
     if (!((_e83.cosTheta > 0f)) || (abs((_e88 - 1f)) < INDEX_MATCHED)) {
         let _e94 = lobe_3;
         return _e94;
@@ -7676,10 +7681,10 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     let _e118 = angle_1;
     let _e120 = angle_1;
     l_4 = vec2<f32>(sin(_e118), cos(_e120));
-    let _e124 = ratio_1;
+    let _e124 = ratio_2;
     let _e125 = d_18;
     let _e127 = l_4;
-    let _e129 = ratio_1;
+    let _e129 = ratio_2;
     if (_e129 < 1f) {
         local_89 = -1f;
     } else {
@@ -7717,15 +7722,15 @@ fn composeLobe(inner_2: InnerLobe, view_27: ExitView, s_17: ExitSurface, angle: 
     kept = (_e199.own - ((_e201 * (1f - _e203.swing)) / _e207.swing));
     let _e212 = sigma_9;
     let _e213 = co;
-    let _e216 = ratio_1;
+    let _e216 = ratio_2;
     let _e217 = ci;
     let _e219 = kept;
     let _e220 = co;
     let _e224 = bend;
     seen_1 = (((_e212 * inverseSqrt(_e213)) * ((_e216 * _e217) - (_e219 * _e220))) / _e224);
-    let _e227 = ratio_1;
+    let _e227 = ratio_2;
     let _e228 = co;
-    let _e229 = ratio_1;
+    let _e229 = ratio_2;
     let _e230 = ci;
     let _e233 = s_18;
     across_11 = (_e227 + ((_e228 - (_e229 * _e230)) * _e233.turn.y));
@@ -7777,8 +7782,8 @@ fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
     var weight_2: f32;
     var local_91: f32;
     var share_4: f32;
-    var apart_1: vec3<f32>;
-    var mean_2: vec3<f32>;
+    var apart_2: vec3<f32>;
+    var mean_3: vec3<f32>;
     var inner2_: f32;
     var both: f32;
     var lobe_4: ComposedLobe;
@@ -7802,11 +7807,11 @@ fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
     share_4 = _e56;
     let _e58 = b_24;
     let _e60 = a_34;
-    apart_1 = (_e58.direction - _e60.direction);
+    apart_2 = (_e58.direction - _e60.direction);
     let _e64 = a_34;
     let _e66 = share_4;
-    let _e67 = apart_1;
-    mean_2 = (_e64.direction + (_e66 * _e67));
+    let _e67 = apart_2;
+    mean_3 = (_e64.direction + (_e66 * _e67));
     let _e71 = a_34;
     let _e73 = a_34;
     let _e76 = b_24;
@@ -7821,10 +7826,10 @@ fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
     both = mix((_e84.inner * _e86.carried), (_e89.inner * _e91.carried), _e94);
     let _e99 = weight_2;
     lobe_4.weight = _e99;
-    let _e101 = mean_2;
-    let _e102 = mean_2;
+    let _e101 = mean_3;
+    let _e102 = mean_3;
     if (dot(_e101, _e102) > 0.000001f) {
-        let _e106 = mean_2;
+        let _e106 = mean_3;
         local_92 = normalize(_e106);
     } else {
         let _e108 = a_34;
@@ -7839,8 +7844,8 @@ fn mergeLobes(a_33: ComposedLobe, b_23: ComposedLobe) -> ComposedLobe {
     let _e123 = share_4;
     let _e126 = share_4;
     let _e129 = share_4;
-    let _e132 = apart_1;
-    let _e133 = apart_1;
+    let _e132 = apart_2;
+    let _e133 = apart_2;
     lobe_4.sigma = sqrt((mix((_e113.sigma * _e115.sigma), (_e118.sigma * _e120.sigma), _e123) + (((0.5f * _e126) * (1f - _e129)) * dot(_e132, _e133))));
     let _e139 = inner2_;
     lobe_4.inner = sqrt(_e139);
@@ -8746,11 +8751,11 @@ fn engineEnteringLobe(read_: InterfaceLobe, face_12: GlassFace, ior_2: f32, ener
     return _e89;
 }
 
-fn engineLeavingPair(inner_7: InnerLobe, core_7: bool, s_19: ExitSurface, k_26: Widening) -> ComposedPair {
+fn engineLeavingPair(inner_7: InnerLobe, core_7: bool, s_19: ExitSurface, k_25: Widening) -> ComposedPair {
     var inner_8: InnerLobe;
     var core_8: bool;
     var s_20: ExitSurface;
-    var k_27: Widening;
+    var k_26: Widening;
     var view_35: ExitView;
     var cosTheta_58: f32;
     var local_114: f32;
@@ -8761,11 +8766,11 @@ fn engineLeavingPair(inner_7: InnerLobe, core_7: bool, s_19: ExitSurface, k_26: 
     inner_8 = inner_7;
     core_8 = core_7;
     s_20 = s_19;
-    k_27 = k_26;
+    k_26 = k_25;
     let _e52 = inner_8;
     let _e53 = core_8;
     let _e54 = s_20;
-    let _e55 = k_27;
+    let _e55 = k_26;
     let _e56 = seeExit(_e52, _e53, _e54, _e55);
     view_35 = _e56;
     let _e58 = view_35;
@@ -8827,24 +8832,24 @@ fn engineLeavingPair(inner_7: InnerLobe, core_7: bool, s_19: ExitSurface, k_26: 
 }
 
 fn internalScatteringLossGgx() -> InternalScatteringLoss {
-    var k_28: InternalScatteringLoss;
+    var k_27: InternalScatteringLoss;
 
-    k_28.linear = 0.635f;
-    k_28.constant = 0.254f;
-    k_28.thin = 1.078f;
-    k_28.passes = 0.3f;
-    let _e53 = k_28;
+    k_27.linear = 0.635f;
+    k_27.constant = 0.254f;
+    k_27.thin = 1.078f;
+    k_27.passes = 0.3f;
+    let _e53 = k_27;
     return _e53;
 }
 
 fn internalScatteringLossBeckmann() -> InternalScatteringLoss {
-    var k_29: InternalScatteringLoss;
+    var k_28: InternalScatteringLoss;
 
-    k_29.linear = 0.201f;
-    k_29.constant = 1.555f;
-    k_29.thin = 0.565f;
-    k_29.passes = 0f;
-    let _e53 = k_29;
+    k_28.linear = 0.201f;
+    k_28.constant = 1.555f;
+    k_28.thin = 0.565f;
+    k_28.passes = 0f;
+    let _e53 = k_28;
     return _e53;
 }
 
@@ -8877,10 +8882,10 @@ fn internalScatteringPasses(ior_4: f32) -> f32 {
     return _e74;
 }
 
-fn internalScatteringAt(alpha_106: f32, ior_6: f32, k_30: InternalScatteringLoss) -> InternalScattering {
+fn internalScatteringAt(alpha_106: f32, ior_6: f32, k_29: InternalScatteringLoss) -> InternalScattering {
     var alpha_107: f32;
     var ior_7: f32;
-    var k_31: InternalScatteringLoss;
+    var k_30: InternalScatteringLoss;
     var smoothly_1: f32;
     var alpha2_1: f32;
     var lost_3: f32;
@@ -8888,7 +8893,7 @@ fn internalScatteringAt(alpha_106: f32, ior_6: f32, k_30: InternalScatteringLoss
 
     alpha_107 = alpha_106;
     ior_7 = ior_6;
-    k_31 = k_30;
+    k_30 = k_29;
     let _e50 = ior_7;
     let _e51 = internalScatteringPasses(_e50);
     smoothly_1 = _e51;
@@ -8897,15 +8902,15 @@ fn internalScatteringAt(alpha_106: f32, ior_6: f32, k_30: InternalScatteringLoss
     alpha2_1 = (_e53 * _e54);
     let _e57 = alpha2_1;
     let _e58 = alpha2_1;
-    let _e59 = k_31;
+    let _e59 = k_30;
     let _e61 = alpha_107;
-    let _e64 = k_31;
-    let _e69 = k_31;
+    let _e64 = k_30;
+    let _e69 = k_30;
     let _e71 = alpha_107;
     let _e73 = smoothly_1;
     lost_3 = ((_e57 / ((_e58 + (_e59.linear * _e61)) + _e64.constant)) * max((1f - ((_e69.thin * _e71) * max((_e73 - 0.4f), 0f))), 0f));
     let _e86 = smoothly_1;
-    let _e88 = k_31;
+    let _e88 = k_30;
     let _e90 = alpha2_1;
     w_27.passes = (_e86 * (1f - (_e88.passes * _e90)));
     let _e96 = w_27;
@@ -9083,13 +9088,13 @@ fn enterGlass(face_16: GlassFace, ior_8: f32) -> Entering {
     return _e86;
 }
 
-fn leaveGlass(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, coreExit: ConvexExit, tailExit: ConvexExit, k_32: Widening) -> Leaving {
+fn leaveGlass(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, coreExit: ConvexExit, tailExit: ConvexExit, k_31: Widening) -> Leaving {
     var face_19: GlassFace;
     var body_5: ConvexBody;
     var e_12: Entering;
     var coreExit_1: ConvexExit;
     var tailExit_1: ConvexExit;
-    var k_33: Widening;
+    var k_32: Widening;
     var leaving: Leaving;
     var local_117: f32;
     var bent: f32;
@@ -9099,10 +9104,10 @@ fn leaveGlass(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, coreExit: 
     e_12 = e_11;
     coreExit_1 = coreExit;
     tailExit_1 = tailExit;
-    k_33 = k_32;
+    k_32 = k_31;
     let _e60 = e_12;
     let _e63 = coreExit_1;
-    let _e65 = k_33;
+    let _e65 = k_32;
     let _e66 = engineLeavingPair(_e60.core, true, _e63.surface, _e65);
     leaving.pair = _e66;
     let _e68 = e_12;
@@ -9121,7 +9126,7 @@ fn leaveGlass(face_18: GlassFace, body_4: ConvexBody, e_11: Entering, coreExit: 
         let _e95 = leaving;
         let _e97 = e_12;
         let _e100 = tailExit_1;
-        let _e102 = k_33;
+        let _e102 = k_32;
         let _e103 = engineLeavingPair(_e97.tail, false, _e100.surface, _e102);
         let _e104 = mergePairs(_e95.pair, _e103);
         leaving.pair = _e104;
@@ -9144,7 +9149,7 @@ fn pairRadiance(pair_3: ComposedPair, origin_18: vec3<f32>, inside_7: f32, view_
     var inside_8: f32;
     var view_37: SceneView;
     var met_8: SceneIntersection;
-    var sum_14: vec3<f32> = vec3(0f);
+    var sum_13: vec3<f32> = vec3(0f);
     var lobe_11: ComposedLobe;
     var which_8: i32 = 0i;
 
@@ -9167,7 +9172,7 @@ fn pairRadiance(pair_3: ComposedPair, origin_18: vec3<f32>, inside_7: f32, view_
             break;
         }
         {
-            let _e85 = sum_14;
+            let _e85 = sum_13;
             let _e86 = lobe_11;
             let _e88 = lobe_11;
             let _e89 = origin_19;
@@ -9175,7 +9180,7 @@ fn pairRadiance(pair_3: ComposedPair, origin_18: vec3<f32>, inside_7: f32, view_
             let _e91 = met_8;
             let _e92 = view_37;
             let _e93 = lobeRadiance(_e88, _e89, _e90, _e91, _e92);
-            sum_14 = (_e85 + (_e86.weight * _e93));
+            sum_13 = (_e85 + (_e86.weight * _e93));
             let _e96 = pair_4;
             lobe_11 = _e96.rest;
         }
@@ -9184,11 +9189,11 @@ fn pairRadiance(pair_3: ComposedPair, origin_18: vec3<f32>, inside_7: f32, view_
             which_8 = (_e82 + 1i);
         }
     }
-    let _e98 = sum_14;
+    let _e98 = sum_13;
     return _e98;
 }
 
-fn refractThrough(face_20: GlassFace, body_6: ConvexBody, e_13: Entering, origin_20: vec3<f32>, coreExit_2: ConvexExit, tailExit_2: ConvexExit, view_38: SceneView, k_34: Widening) -> vec3<f32> {
+fn refractThrough(face_20: GlassFace, body_6: ConvexBody, e_13: Entering, origin_20: vec3<f32>, coreExit_2: ConvexExit, tailExit_2: ConvexExit, view_38: SceneView, k_33: Widening) -> vec3<f32> {
     var face_21: GlassFace;
     var body_7: ConvexBody;
     var e_14: Entering;
@@ -9196,9 +9201,9 @@ fn refractThrough(face_20: GlassFace, body_6: ConvexBody, e_13: Entering, origin
     var coreExit_3: ConvexExit;
     var tailExit_3: ConvexExit;
     var view_39: SceneView;
-    var k_35: Widening;
+    var k_34: Widening;
     var left_2: Leaving;
-    var sum_15: vec3<f32>;
+    var sum_14: vec3<f32>;
 
     face_21 = face_20;
     body_7 = body_6;
@@ -9207,13 +9212,13 @@ fn refractThrough(face_20: GlassFace, body_6: ConvexBody, e_13: Entering, origin
     coreExit_3 = coreExit_2;
     tailExit_3 = tailExit_2;
     view_39 = view_38;
-    k_35 = k_34;
+    k_34 = k_33;
     let _e62 = face_21;
     let _e63 = body_7;
     let _e64 = e_14;
     let _e65 = coreExit_3;
     let _e66 = tailExit_3;
-    let _e67 = k_35;
+    let _e67 = k_34;
     let _e68 = leaveGlass(_e62, _e63, _e64, _e65, _e66, _e67);
     left_2 = _e68;
     let _e70 = left_2;
@@ -9221,8 +9226,8 @@ fn refractThrough(face_20: GlassFace, body_6: ConvexBody, e_13: Entering, origin
     let _e73 = coreExit_3;
     let _e75 = view_39;
     let _e76 = pairRadiance(_e70.pair, _e72, _e73.path, _e75);
-    sum_15 = _e76;
-    let _e78 = sum_15;
+    sum_14 = _e76;
+    let _e78 = sum_14;
     let _e79 = coreExit_3;
     let _e82 = body_7;
     let _e87 = face_21;
@@ -9235,11 +9240,11 @@ fn refractThrough(face_20: GlassFace, body_6: ConvexBody, e_13: Entering, origin
     return ((_e78 * exp((-(_e79.path) * _e82.attenuation))) + _e96);
 }
 
-fn refractConvex(face_22: GlassFace, body_8: ConvexBody, view_40: SceneView, k_36: Widening) -> vec3<f32> {
+fn refractConvex(face_22: GlassFace, body_8: ConvexBody, view_40: SceneView, k_35: Widening) -> vec3<f32> {
     var face_23: GlassFace;
     var body_9: ConvexBody;
     var view_41: SceneView;
-    var k_37: Widening;
+    var k_36: Widening;
     var e_15: Entering;
     var core_9: ConvexExit;
     var origin_22: vec3<f32>;
@@ -9247,7 +9252,7 @@ fn refractConvex(face_22: GlassFace, body_8: ConvexBody, view_40: SceneView, k_3
     face_23 = face_22;
     body_9 = body_8;
     view_41 = view_40;
-    k_37 = k_36;
+    k_36 = k_35;
     let _e54 = face_23;
     let _e55 = body_9;
     let _e57 = enterGlass(_e54, _e55.ior);
@@ -9271,7 +9276,7 @@ fn refractConvex(face_22: GlassFace, body_8: ConvexBody, view_40: SceneView, k_3
     let _e87 = body_9;
     let _e88 = convexExit(_e82.n, _e84.tail.direction, _e87);
     let _e89 = view_41;
-    let _e90 = k_37;
+    let _e90 = k_36;
     let _e91 = refractThrough(_e77, _e78, _e79, _e80, _e81, _e88, _e89, _e90);
     return _e91;
 }
@@ -9286,7 +9291,7 @@ fn wayOut(origin_23: vec3<f32>, lobe_12: InnerLobe, eta_69: f32, which_9: FaceLa
     var way_10: WayOut;
     var onward: InnerLobe;
     var first_8: f32 = 0f;
-    var k_38: i32 = 0i;
+    var k_37: i32 = 0i;
     var seen_2: BackFaceExit;
     var before: f32;
     var cosTheta_61: f32;
@@ -9310,7 +9315,7 @@ fn wayOut(origin_23: vec3<f32>, lobe_12: InnerLobe, eta_69: f32, which_9: FaceLa
     let _e71 = lobe_13;
     onward = _e71;
     loop {
-        let _e77 = k_38;
+        let _e77 = k_37;
         let _e78 = reflections_1;
         if !((_e77 <= _e78)) {
             break;
@@ -9345,7 +9350,7 @@ fn wayOut(origin_23: vec3<f32>, lobe_12: InnerLobe, eta_69: f32, which_9: FaceLa
             let _e125 = onward;
             let _e127 = seen_2;
             cosTheta_61 = dot(_e125.direction, _e127.exit.surface.n);
-            let _e133 = k_38;
+            let _e133 = k_37;
             let _e134 = reflections_1;
             let _e137 = cosTheta_61;
             let _e140 = cosTheta_61;
@@ -9375,8 +9380,8 @@ fn wayOut(origin_23: vec3<f32>, lobe_12: InnerLobe, eta_69: f32, which_9: FaceLa
             first_8 = (0.5f * _e188.exit.path);
         }
         continuing {
-            let _e81 = k_38;
-            k_38 = (_e81 + 1i);
+            let _e81 = k_37;
+            k_37 = (_e81 + 1i);
         }
     }
     let _e192 = way_10;
@@ -9522,12 +9527,12 @@ fn waysOut(face_26: GlassFace, body_12: ConvexBody, entered_2: Entering, last_2:
     return _e181;
 }
 
-fn refractFrontBack(face_28: GlassFace, body_14: ConvexBody, number_4: f32, view_46: SceneView, k_39: Widening) -> vec3<f32> {
+fn refractFrontBack(face_28: GlassFace, body_14: ConvexBody, number_4: f32, view_46: SceneView, k_38: Widening) -> vec3<f32> {
     var face_29: GlassFace;
     var body_15: ConvexBody;
     var number_5: f32;
     var view_47: SceneView;
-    var k_40: Widening;
+    var k_39: Widening;
     var entered_4: Entering;
     var ways_1: WaysOut;
 
@@ -9535,7 +9540,7 @@ fn refractFrontBack(face_28: GlassFace, body_14: ConvexBody, number_4: f32, view
     body_15 = body_14;
     number_5 = number_4;
     view_47 = view_46;
-    k_40 = k_39;
+    k_39 = k_38;
     let _e56 = face_29;
     let _e57 = body_15;
     let _e59 = enterGlass(_e56, _e57.ior);
@@ -9558,7 +9563,7 @@ fn refractFrontBack(face_28: GlassFace, body_14: ConvexBody, number_4: f32, view
     let _e83 = ways_1;
     let _e86 = ways_1;
     let _e89 = view_47;
-    let _e90 = k_40;
+    let _e90 = k_39;
     let _e91 = refractThrough(_e77, _e78, _e79, _e80.core.point, _e83.core.exit, _e86.tail.exit, _e89, _e90);
     return _e91;
 }
@@ -9588,13 +9593,13 @@ fn lobeSide(direction_27: vec3<f32>) -> vec3<f32> {
     return _e72;
 }
 
-fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2: f32, part_2: vec3<f32>) -> LobeStratum {
+fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2: f32, part_1: vec3<f32>) -> LobeStratum {
     var direction_30: vec3<f32>;
     var sigma_15: f32;
     var inner_12: f32;
     var carried_3: f32;
-    var part_3: vec3<f32>;
-    var side_4: vec3<f32>;
+    var part_2: vec3<f32>;
+    var side_5: vec3<f32>;
     var off_3: vec3<f32>;
     var turn_2: f32;
     var p_17: LobeStratum;
@@ -9608,15 +9613,15 @@ fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
     sigma_15 = sigma_14;
     inner_12 = inner_11;
     carried_3 = carried_2;
-    part_3 = part_2;
+    part_2 = part_1;
     let _e56 = direction_30;
     let _e57 = lobeSide(_e56);
-    side_4 = _e57;
-    let _e59 = part_3;
-    let _e61 = side_4;
-    let _e63 = part_3;
+    side_5 = _e57;
+    let _e59 = part_2;
+    let _e61 = side_5;
+    let _e63 = part_2;
     let _e65 = direction_30;
-    let _e66 = side_4;
+    let _e66 = side_5;
     off_3 = ((_e59.x * _e61) + (_e63.y * cross(_e65, _e66)));
     let _e71 = sigma_15;
     let _e72 = off_3;
@@ -9635,7 +9640,7 @@ fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
     let _e92 = sigma_15;
     let _e94 = off_3;
     p_17.direction = ((cos(_e78) * _e80) + ((_e91 * _e92) * _e94));
-    let _e98 = part_3;
+    let _e98 = part_2;
     let _e100 = sigma_15;
     p_17.sigma = (_e98.z * _e100);
     let _e102 = sigma_15;
@@ -9654,8 +9659,8 @@ fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
     p_17.aside = ((_e117 * _e118) * _e120);
     let _e123 = together;
     let _e124 = together;
-    let _e127 = part_3;
-    let _e129 = part_3;
+    let _e127 = part_2;
+    let _e129 = part_2;
     rest_5 = sqrt(max((1f - ((_e123 * _e124) * (1f - (_e127.z * _e129.z)))), 0f));
     let _e140 = rest_5;
     let _e141 = inner_12;
@@ -9664,8 +9669,8 @@ fn lobeStratum(direction_29: vec3<f32>, sigma_14: f32, inner_11: f32, carried_2:
     if (_e144 > 0f) {
         let _e147 = together;
         let _e148 = sigma_15;
-        let _e150 = part_3;
-        let _e153 = part_3;
+        let _e150 = part_2;
+        let _e153 = part_2;
         let _e156 = rest_5;
         local_122 = ((((_e147 * _e148) * _e150.z) * _e153.z) / _e156);
     } else {
@@ -9832,13 +9837,13 @@ fn lobeOnward(lobe_19: ComposedLobe) -> InnerLobe {
     return _e62;
 }
 
-fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, body_16: ConvexBody, view_48: SceneView, k_41: Widening) -> SecondBody {
+fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, body_16: ConvexBody, view_48: SceneView, k_40: Widening) -> SecondBody {
     var pair_6: ComposedPair;
     var origin_26: vec3<f32>;
     var inside_10: f32;
     var body_17: ConvexBody;
     var view_49: SceneView;
-    var k_42: Widening;
+    var k_41: Widening;
     var second_1: SecondBody;
     var fronts: FaceLayer;
     var front_1: BackFaceExit;
@@ -9861,7 +9866,7 @@ fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, 
     inside_10 = inside_9;
     body_17 = body_16;
     view_49 = view_48;
-    k_42 = k_41;
+    k_41 = k_40;
     let _e64 = pair_6;
     second_1.pair = _e64;
     let _e66 = origin_26;
@@ -9890,7 +9895,7 @@ fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, 
     outer = _e99;
     let _e101 = outer;
     let _e103 = front_1;
-    let _e106 = k_42;
+    let _e106 = k_41;
     let _e107 = engineLeavingPair(_e101, true, _e103.exit.surface, _e106);
     entered_5 = _e107;
     let _e109 = entered_5;
@@ -9917,7 +9922,7 @@ fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, 
     }
     let _e141 = way_12;
     let _e144 = way_12;
-    let _e147 = k_42;
+    let _e147 = k_41;
     let _e148 = engineLeavingPair(_e141.lobe, true, _e144.exit.surface, _e147);
     beyond_1 = _e148;
     let _e151 = front_1;
@@ -9987,24 +9992,24 @@ fn throughSecondBody(pair_5: ComposedPair, origin_25: vec3<f32>, inside_9: f32, 
     return _e286;
 }
 
-fn refractTwoPairs(face_30: GlassFace, body_18: ConvexBody, number_6: f32, view_50: SceneView, k_43: Widening) -> vec3<f32> {
+fn refractTwoPairs(face_30: GlassFace, body_18: ConvexBody, number_6: f32, view_50: SceneView, k_42: Widening) -> vec3<f32> {
     var face_31: GlassFace;
     var body_19: ConvexBody;
     var number_7: f32;
     var view_51: SceneView;
-    var k_44: Widening;
+    var k_43: Widening;
     var entered_6: Entering;
     var ways_2: WaysOut;
     var exit_1: ConvexExit;
     var left_3: Leaving;
     var second_2: SecondBody;
-    var sum_16: vec3<f32>;
+    var sum_15: vec3<f32>;
 
     face_31 = face_30;
     body_19 = body_18;
     number_7 = number_6;
     view_51 = view_50;
-    k_44 = k_43;
+    k_43 = k_42;
     let _e60 = face_31;
     let _e61 = body_19;
     let _e63 = enterGlass(_e60, _e61.ior);
@@ -10027,7 +10032,7 @@ fn refractTwoPairs(face_30: GlassFace, body_18: ConvexBody, number_6: f32, view_
     let _e86 = entered_6;
     let _e87 = exit_1;
     let _e88 = ways_2;
-    let _e91 = k_44;
+    let _e91 = k_43;
     let _e92 = leaveGlass(_e84, _e85, _e86, _e87, _e88.tail.exit, _e91);
     left_3 = _e92;
     let _e94 = left_3;
@@ -10035,7 +10040,7 @@ fn refractTwoPairs(face_30: GlassFace, body_18: ConvexBody, number_6: f32, view_
     let _e99 = exit_1;
     let _e101 = body_19;
     let _e102 = view_51;
-    let _e103 = k_44;
+    let _e103 = k_43;
     let _e104 = throughSecondBody(_e94.pair, _e96.core.point, _e99.path, _e101, _e102, _e103);
     second_2 = _e104;
     let _e106 = second_2;
@@ -10045,8 +10050,8 @@ fn refractTwoPairs(face_30: GlassFace, body_18: ConvexBody, number_6: f32, view_
     let _e114 = view_51;
     let _e115 = pairRadiance(_e108.pair, _e110.origin, _e112.inside, _e114);
     let _e117 = second_2;
-    sum_16 = ((_e106.passed * _e115) + _e117.reflected);
-    let _e121 = sum_16;
+    sum_15 = ((_e106.passed * _e115) + _e117.reflected);
+    let _e121 = sum_15;
     let _e122 = exit_1;
     let _e125 = body_19;
     let _e130 = face_31;

@@ -87,6 +87,44 @@ TEST(anisotropic, float32_keeps_its_digits_where_widths_differ_most) {
   EXPECT_LT(worst, rounding);
 }
 
+// The share of light from all around that a surface reflects towards wo: visible normals on a lattice.
+double albedo(vec3 wo, vec2 alpha) {
+  constexpr int facets = 2048; // 2e-3 of noise
+  double sum = 0;
+  for (int i = 0; i < facets; ++i) {
+    const vec2 u((i + 0.5) / facets, std::fmod(0.5 + i * 0.6180339887498949, 1.0));
+    const vec3 wi = f64::reflectAbout(wo, f64::ggxSampleVisible(wo, alpha, u));
+    if (wi.z > 0) sum += f64::ggxAnisoG1(wi, alpha) / facets;
+  }
+  return sum;
+}
+
+// environment/stretched_lobe.glsl: energy is read at the width of an isotropic surface that reflects about as much.
+TEST(anisotropic, the_width_for_energy_is_that_of_a_surface_that_reflects_as_much) {
+  constexpr double fitted =
+      0.1; // worst of the fit, where the widths differ most and the view is grazing
+  for (const vec2 alpha : {vec2(0.1, 0.02), vec2(0.7, 0.02), vec2(0.4, 0.25), vec2(1.0, 0.25),
+                           vec2(1.0, 0.7), vec2(0.6, 0.6)})
+    for (const double theta : {0.0, 0.8, 1.3})
+      for (const double phi : {0.0, 0.8, 1.57}) {
+        const vec3 wo = direction(theta, phi);
+        const double width = f64::stretchedEnergyAlpha(wo, alpha);
+        EXPECT_NEAR(albedo(direction(theta, 0), vec2(width)), albedo(wo, alpha),
+                    alpha.x == alpha.y ? 5e-3 : fitted)
+            << alpha.x << " " << alpha.y << " " << theta << " " << phi;
+      }
+}
+
+TEST(anisotropic, the_parts_of_a_lobe_of_equal_widths_are_that_lobe) {
+  for (const double a : {0.02, 0.3, 1.0})
+    for (const double theta : {0.0, 0.8, 1.3})
+      for (int k = 0; k < 2; ++k) {
+        const auto part = f64::stretchedPart(direction(theta, 0.7), vec2(a), k, 2, 0.0, 1.0);
+        EXPECT_NEAR(part.alpha / a, 1, 1e-3);
+        EXPECT_NEAR(part.n.z, 1, 1e-3);
+      }
+}
+
 // The parts of a stretched lobe (environment/stretched_lobe.glsl): finite, above the surface, and together no more than there is.
 TEST(anisotropic, parts_of_a_stretched_lobe_stay_sound_at_every_angle) {
   for (const float narrow : {1e-3f, 0.05f, 0.5f})
@@ -103,8 +141,8 @@ TEST(anisotropic, parts_of_a_stretched_lobe_stay_sound_at_every_angle) {
                         && part.alpha > 0.0f && part.alpha <= 1.0f)
                 << wide << " " << narrow << " " << z << " " << azimuth << " " << k;
           }
-          const float albedo = glsl::f32::stretchedAlbedo(wo, alpha);
-          EXPECT_TRUE(albedo >= 0.0f && albedo <= 1.0f);
+          const float width = glsl::f32::stretchedEnergyAlpha(wo, alpha);
+          EXPECT_TRUE(width >= narrow && width <= wide) << wide << " " << narrow << " " << z;
         }
 }
 

@@ -155,6 +155,22 @@ TEST_P(Render, brushed_metal_has_the_lobe_of_two_widths_along_its_tangent) {
     }
 }
 
+TEST_P(Render, brushed_metal_in_the_white_furnace_loses_what_its_facets_shadow) {
+  scene::Material m = metal(0.7f);
+  m.anisotropy_strength = 0.6f;
+  const image::Image picture = draw(square(m), {environment::constant(glm::vec3(1.0f)), head_on()});
+  const glm::dvec2 widths = f64::ggxAnisoWidths(0.49, 0.6);
+  constexpr int facets = 4096, middle = size / 2;
+  const glm::dvec3 wo = glm::normalize(glm::dvec3(0, 0, 2) - on_square(middle, middle));
+  double albedo = 0.0;
+  for (int i = 0; i < facets; ++i) {
+    const glm::dvec2 u((i + 0.5) / facets, std::fmod(0.5 + i * std::numbers::phi, 1.0));
+    const glm::dvec3 wi = f64::reflectAbout(wo, f64::ggxSampleVisible(wo, widths, u));
+    if (wi.z > 0.0) albedo += f64::ggxAnisoG1(wi, widths) / facets;
+  }
+  EXPECT_NEAR(picture.at(middle, middle), albedo, 0.03) << "the worst of the fit head on";
+}
+
 TEST_P(Render, brushing_spreads_the_environment_along_it_and_not_across) {
   // A bright band at the horizon's height: metal brushed along y smears it, brushed along x keeps it.
   const auto band = environment_of(
