@@ -26,7 +26,7 @@ vec3 brushedRadiance(Surface s, float edge) {
     // Of several samples of a pixel each takes lobes of its own, between those of the others and narrower: of N samples
     // frame.part.w is 1 / (12 N). Half as many lobes do then, each of half of the variance, spaced by the normal distribution's
     // logistic form [BowlingKhasawneh09].
-    bool several = frame.part.z < 1.0;
+    bool several = ofPixel(frame.part.z) < 1.0;
     float shift = several ? 1.0 / (1.0 + exp(-2.4 * frame.part.x)) - 0.5 : 0.0;
     float sharpness = several ? min(sqrt(12.0 * frame.part.w), 1.0) : 1.0;
     int parts = several ? brushedLobes / 2 : brushedLobes;

@@ -8,6 +8,7 @@
 //          variance of slopes: nearer the truth than one of the width across on four of five models (tests/README.md).
 #include "bsdf/constants.glsl"
 #include "environment/stretched_lobe.glsl"
+#include "stages/of_pixel.glsl"
 
 // Of the brushing's part in the far face, squared: nearer than .06 degrees to its normal, brushing has no direction there that
 // survives the rounding of normals in the interior buffer.
@@ -46,7 +47,7 @@ float shadowingOver(BrushedFacets f, vec3 w, float side, vec3 n, vec3 brush, vec
 BrushedFacets facetsOfSample(vec3 n, vec3 wo, vec3 brush, vec2 widths, float eta, bool farFace) {
     BrushedFacets f = levelFacets(n, widths);
     vec2 part = frame.part.xy;
-    if (!(leansByBrush && frame.part.z < 1.0)) return f;
+    if (!(leansByBrush && ofPixel(frame.part.z) < 1.0)) return f;
     float spacing = min(12.0 * frame.part.w, 1.0); // 1 / samples
     float quantile = farFace ? 1.0 - exp(-dot(part, part)) : fract(atan(part.y, part.x) / BSDF_PI);
     float s = stretchedSlope(clamp(quantile, 0.5 * spacing, 1.0 - 0.5 * spacing));

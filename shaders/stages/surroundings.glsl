@@ -65,13 +65,14 @@ LobeRay partOf(LobeRay lobe) { return stratumOf(lobe, ownStratum()); }
 
 // Where a pixel has fewer samples than this a wide lobe takes as many strata in each of them.
 const int WIDE_STRATA = 8;
-bool hasFewSamples() { return frame.part.w * float(12 * WIDE_STRATA) > 1.0; }
+bool hasFewSamples() { return ofPixel(frame.part.w) * float(12 * WIDE_STRATA) > 1.0; }
 
 // The k-th of them, sqrt(.5) as wide as the lobe, one sigma off its mean: together they have its mean and variance, and so have the
 // first four, of which the first and the third, and the second and the fourth, are opposite. Level and upright edges cross no two
 // of four at once. Samples of a pixel turn them.
 vec3 wideStratum(int k) {
-    float own = dot(frame.part.xy, frame.part.xy) > 0.0 ? atan(frame.part.y, frame.part.x) / float(WIDE_STRATA) : 0.0;
+    vec2 part = vec2(ofPixel(frame.part.x), frame.part.y);
+    float own = dot(part, part) > 0.0 ? atan(part.y, part.x) / float(WIDE_STRATA) : 0.0;
     float turn = 0.21 + own + (float(k & 3) + (k < 4 ? 0.0 : 0.5)) * (0.5 * BSDF_PI);
     return vec3(cos(turn), sin(turn), 0.70711);
 }
