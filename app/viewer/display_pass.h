@@ -9,9 +9,9 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <compare>
 #include <map>
 #include <optional>
-#include <tuple>
 
 namespace gg::viewer {
 
@@ -48,15 +48,23 @@ public:
   void see(const scene::Camera& camera, int width, int height, float outline, bool moving);
 
 private:
-  void make_target(int width, int height);
-  const gpu::PipelineRef& pipeline(frame::ToneMap tone_map, bool beside, bool outlined);
+  struct Kind { // of what a pipeline draws
+    frame::ToneMap tone_map = frame::ToneMap::none;
+    bool beside = false, outlined = false;
+    bool encoded = false; // the picture is already
+    auto operator<=>(const Kind&) const = default;
+  };
+  const gpu::PipelineRef& pipeline(const Kind& kind);
+  gpu::TextureRef encoded_small(const Show& show);
+  void draw_into(const gpu::TextureRef& target, const Show& show, const Kind& kind,
+                 const gpu::BufferRef& block);
 
   gpu::Device& device_;
   gpu::SamplerRef linear_;
-  std::map<std::tuple<frame::ToneMap, bool, bool>, gpu::PipelineRef> display_;
+  std::map<Kind, gpu::PipelineRef> display_;
   gpu::PipelineRef mask_pipeline_, outline_pipeline_;
-  gpu::BufferRef block_, picked_block_, outline_block_;
-  gpu::TextureRef target_, nothing_;
+  gpu::BufferRef block_, small_block_, picked_block_, outline_block_;
+  gpu::TextureRef target_, small_, nothing_;
   struct Outlined {
     gpu::TextureRef mask, outline;
     glm::mat4 clip_from_mesh{0.0f}; // that they were drawn by

@@ -8,6 +8,7 @@
 layout(constant_id = 0) const int toneCurve = 1; // 0 none, 1 neutral, 2 ACES, 3 AgX
 layout(constant_id = 1) const bool hasOther = false;
 layout(constant_id = 2) const bool hasOutline = false;
+layout(constant_id = 3) const bool isEncoded = false; // the picture, by this stage at its own size
 
 layout(binding = 1) uniform sampler2D pictureColor;
 layout(binding = 2) uniform sampler2D otherColor;
@@ -36,7 +37,7 @@ void main() {
     if (hasOther && display.other.w > 0.5) uv.x = other ? uv.x - 0.25 : uv.x + 0.25;
     vec3 color = textureLod(pictureColor, uv, 0.0).xyz * display.picture.x;
     if (hasOther && other) color = textureLod(otherColor, uv, 0.0).xyz * display.other.x;
-    color = hasOther && other && display.other.y > 0.5 ? color : encoded(color);
+    if (!isEncoded) color = hasOther && other && display.other.y > 0.5 ? color : encoded(color);
     if (hasOther && abs(at.x - display.other.z * size.x) < 1.0 && display.other.z > 0.0 && display.other.z < 1.0) color = vec3(1.0);
     if (hasOutline) color = mix(color, vec3(1.0, 0.62, 0.16), textureLod(pickedOutline, uv, 0.0).x);
     outColor = vec4(color, 1.0);
