@@ -27,7 +27,7 @@ struct ViewOptions {
   MethodOptions method;
   std::string tonemap = "neutral";
   float exposure = 0.0f, scale = 0.0f;
-  bool no_panel = false;
+  bool no_panel = false, keep_method = false;
   std::string inspect, debug_view;
   std::string json;          // where the times of --bench-orbit go
   viewer::Settings settings; // what has no counterpart elsewhere
@@ -204,6 +204,7 @@ void view(ViewOptions o) {
                    .exposure = o.exposure,
                    .tonemap = o.tonemap};
   settings.panel = !o.no_panel;
+  settings.standard_in_motion = !o.keep_method;
   if (!o.debug_view.empty()) settings.debug = parse_debug(o.debug_view);
   if (!o.inspect.empty()) settings.inspect = parse_place(o.inspect);
   const bool without_hands = settings.bench_orbit > 0;
@@ -245,6 +246,9 @@ void add_view(Command program) {
   command.option("--fps", &settings.frames_per_second,
                  "Frames a second to keep while something moves, by drawing smaller pictures");
   command.option("--scale", &options->scale, "Of text and controls; 0: the display's");
+  command.flag("--keep-method", options->keep_method,
+               "Draw by --method in motion too, where it misses half of --fps: else the camera "
+               "moves by standard");
   command.flag("--no-panel", options->no_panel, "Begin without the panel (Tab shows it)");
   command.option("--bench-orbit", &settings.bench_orbit,
                  "Time so many frames of a turn about the scene, and end; see --json");

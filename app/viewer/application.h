@@ -58,7 +58,10 @@ private:
   std::string words(const std::string& command, const std::string& output) const;
   // drawing.cpp
   void restart(bool quick);
-  frame::FrameDesc frame_desc(double scale, int samples) const;
+  frame::FrameDesc frame_desc(double scale, int samples, const std::string& method) const;
+  bool is_by_standard() const; // a quick picture is
+  const std::string& quick_method() const;
+  void forget_speed(); // another scene or method is to be drawn
   void attempt(const std::function<void()>& drawing);
   void draw();
   void draw_quick();
@@ -75,6 +78,7 @@ private:
   void see_events();
   bool is_moving() const;
   void work();
+  void compile();
   void draw_still(Picture& picture, double& sample_ms);
   void plan_warmup();
   std::vector<Picture::Materials> materials_to_come() const;
@@ -98,13 +102,20 @@ private:
   std::optional<Loading::Done> lit_;                // what waits for its environment,
   std::unique_ptr<environment::Building> building_; // which is prefiltered, a step in each frame
   TruthRun truth_;
-  Pace pace_;
+  struct Compiling { // what the still picture is drawn with, before its first
+    bool begun = false, done = false;
+    std::vector<gpu::PipelineDesc> left;
+    std::size_t all = 0;
+  };
+  Compiling compiling_;
+  Pace pace_, standard_pace_; // of the session's method; of `standard`
   WatchedFiles files_;
   ShaderReload shaders_;
 
   int width_ = 0, height_ = 0;            // of the picture on the screen, pixels
   bool stale_ = true;                     // the picture is of another view than the session's
   bool quick_ = false;                    // it is a quick one
+  bool camera_alone_ = false;             // nothing but the camera has changed last
   bool broken_ = false;                   // its shaders compile, and cannot be drawn with
   bool planned_ = false;                  // the warm-up has been, for this picture
   std::map<std::string, double> pass_ms_; // of the sample that is being drawn

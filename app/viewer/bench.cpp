@@ -45,11 +45,12 @@ nlohmann::json Application::bench_frames(int count, bool paced,
     window_->begin_frame();
     draw_panels(session_, commands_.methods, window_->scale());
     change(i);
+    camera_alone_ = !session_.picked;
     const auto draw = Clock::now();
     if (paced) {
       draw_quick();
     } else {
-      picture_->set(frame_desc(1.0, 1), false);
+      picture_->set(frame_desc(1.0, 1, session_.view.method), false);
       picture_->draw_sample();
       window_->device().finish();
     }
@@ -102,6 +103,7 @@ void Application::bench() {
   };
   result["paced"] = twice(true, turn);
   result["paced"]["scale"] = session_.scale;
+  result["paced"]["method"] = session_.moving_method;
   for (std::size_t i = 0; i < session_.scene->instances.size() && !session_.picked;
        ++i) // as a user does before a slider is there
     for (const scene::Primitive& primitive :
@@ -111,6 +113,7 @@ void Application::bench() {
         session_.picked = Picked{.instance = static_cast<scene::Index>(i), .material = material};
   rest();
   result["slider"] = twice(true, slide);
+  result["slider"]["scale"] = session_.scale;
   count = std::max(count / 10, 1); // which a software device takes a second for, each
   result["full"] = twice(false, turn);
   result["full"]["frames"] = count;

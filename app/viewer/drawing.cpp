@@ -42,7 +42,27 @@ std::vector<Session::PassRow> rows_of(const frame::Graph& graph) {
 
 } // namespace
 
-frame::FrameDesc Application::frame_desc(double scale, int samples) const {
+// Another method stands in until the session's is compiled, and where nothing but the camera moves: who turns a slider looks at
+// what it does.
+bool Application::is_by_standard() const {
+  return session_.standard_in_motion && session_.debug == DebugKind::picture
+         && (!compiling_.done || (camera_alone_ && pace_.is_out_of_reach()));
+}
+
+const std::string& Application::quick_method() const {
+  static const std::string standard = "standard";
+  return is_by_standard() ? standard : session_.view.method;
+}
+
+void Application::forget_speed() {
+  constexpr int a_quarter = 4;
+  compiling_ = {};
+  pace_ = Pace();
+  standard_pace_ = Pace(a_quarter);
+}
+
+frame::FrameDesc Application::frame_desc(double scale, int samples,
+                                         const std::string& method) const {
   const auto side = [&](int full) {
     return std::max(1, static_cast<int>(std::lround(scale * full)));
   };
@@ -50,7 +70,7 @@ frame::FrameDesc Application::frame_desc(double scale, int samples) const {
           .height = scale == 1.0 ? height_ : side(height_),
           .samples = samples,
           .camera = session_.camera,
-          .method = commands_.method(session_.view.method),
+          .method = commands_.method(method),
           .correlated_smith = session_.view.smith == "correlated",
           .multiple_scattering = session_.view.multiscatter,
           .without = needs::left_out(session_.view.without),
@@ -58,8 +78,11 @@ frame::FrameDesc Application::frame_desc(double scale, int samples) const {
 }
 
 void Application::restart(bool quick) {
-  session_.scale = quick ? pace_.scale() : 1.0;
-  picture_->set(frame_desc(session_.scale, quick ? 1 : session_.view.samples), !quick);
+  if (quick) session_.scale = (is_by_standard() ? standard_pace_ : pace_).scale();
+  const frame::FrameDesc desc = quick
+                                    ? frame_desc(session_.scale, 1, quick_method())
+                                    : frame_desc(1.0, session_.view.samples, session_.view.method);
+  picture_->set(desc, !quick);
   display_->see(session_.camera, width_, height_, outline_width * window_->scale(), quick);
   debug_shown_.reset();
   stale_ = false;
@@ -67,17 +90,22 @@ void Application::restart(bool quick) {
   planned_ = false;
   sample_spent_ = 0.0;
   compared_ = false;
+  compiling_.begun = compiling_.done; // else what is missing is to be looked up again
 }
 
 void Application::draw_quick() {
   const auto start = Clock::now();
+  const bool first = !picture_->is_open(); // its time is that of compiling
+  Pace& pace = is_by_standard() ? standard_pace_ : pace_;
+  session_.moving_method = quick_method();
   restart(true);
   picture_->draw_sample();
   window_->device().finish();
   const double picture_ms = ms_since(start);
   session_.frame_ms = picture_ms + window_ms_;
-  pace_.want(session_.frames_per_second, window_ms_);
-  pace_.took(picture_ms);
+  for (Pace* of : {&pace_, &standard_pace_})
+    of->want(session_.frames_per_second, window_ms_);
+  if (!first) pace.took(picture_ms);
 }
 
 // Set, or let go, as the session says; drawn in work().
@@ -98,9 +126,7 @@ void Application::set_second() {
   if (second_method_ != session_.second) {
     second_method_ = session_.second;
     second_->light_as(*picture_);
-    frame::FrameDesc desc = frame_desc(1.0, session_.view.samples);
-    desc.method = commands_.method(second_method_);
-    second_->set(desc, true);
+    second_->set(frame_desc(1.0, session_.view.samples, second_method_), true);
   }
 }
 
@@ -116,7 +142,12 @@ void Application::attempt(const std::function<void()>& drawing) {
 }
 
 void Application::draw() {
-  session_.moving = is_moving() && picture_->is_open();
+  // The first picture is a coarse one, while the other method is compiled.
+  session_.moving = is_moving() && (picture_->is_open() || is_by_standard());
+  session_.compiled =
+      compiling_.done || compiling_.all == 0
+          ? 1.0
+          : 1.0 - static_cast<double>(compiling_.left.size()) / static_cast<double>(compiling_.all);
   const scene::Index picked = session_.picked ? session_.picked->instance : scene::none;
   if (outlined_ != picked) {
     display_->pick(*session_.scene, picked);
@@ -174,6 +205,7 @@ void Application::take_shaders() {
   broken_ = false;
   session_.said = fmt::format("compiled {} stages again", done->compiled);
   picture_->forget_pipelines();
+  compiling_ = {};
   warmup_->forget();
   second_.reset();
   second_method_.clear();

@@ -121,6 +121,7 @@ void Application::adopt(Loading::Done done) {
     outlined_.reset();
     display_->pick(*session_.scene, scene::none);
     picture_->open(session_.scene, std::move(done.coarse));
+    forget_speed();
     debug_.reset(); // it draws the scene before
     sight_.reset();
     debug_shown_.reset();

@@ -28,6 +28,7 @@ double Pace::scale() const {
 
 void Pace::took(double ms) {
   begun_ = true;
+  if (step_ == most_steps) lowest_ms_ = ms;
   // Each step halves the pixels, and a frame's time is in proportion to them at most.
   if (ms > wanted_ms_) {
     const int down = std::max(1, static_cast<int>(std::lround(std::log2(ms / wanted_ms_))));

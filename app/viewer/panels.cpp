@@ -139,6 +139,7 @@ void draw_quality_panel(Session& session, const std::vector<std::string>& method
   if (ImGui::SliderFloat("in motion", &rate, 5.0f, 120.0f, "%.0f frames/s",
                          ImGuiSliderFlags_AlwaysClamp))
     session.frames_per_second = rate;
+  ImGui::Checkbox("standard in motion where others are slow", &session.standard_in_motion);
 }
 
 void draw_save_panel(Session& session) {
@@ -192,7 +193,14 @@ std::string status_words(const Session& session) {
     line = "drop a .gltf or .glb here";
   else if (session.moving)
     line =
-        fmt::format("{:.0f} ms at {:.0f} % of the width", session.frame_ms, 100.0 * session.scale);
+        fmt::format("{:.0f} ms at {:.0f} % of the width{}", session.frame_ms, 100.0 * session.scale,
+                    session.moving_method == session.view.method
+                        ? ""
+                        : ", by " + session.moving_method + " meanwhile");
+  else if (session.compiled < 1.0)
+    line = fmt::format("compiling shaders: {:.0f} %", 100.0 * session.compiled);
+  else if (session.drawn == 0)
+    line = "drawing the first sample";
   else
     line = fmt::format("{} of {} samples", session.drawn, session.view.samples);
   if (session.truth && session.second.empty()) line += "   " + truth_words(session.report.get());

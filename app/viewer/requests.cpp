@@ -46,6 +46,8 @@ void Application::carry_out() {
     if (camera || materials || asks.light || asks.quality) {
       truth_.cancel();
       session_.report.reset();
+      if (asks.quality) forget_speed();
+      camera_alone_ = camera && !materials && !asks.light && !asks.quality;
       stale_ = true;
       changed_ = Clock::now();
     }

@@ -59,8 +59,11 @@ struct Session {
   bool turntable = false;
   bool playing = false;               // the animation runs
   bool moving = false;                // the picture is a quick one
+  double compiled = 1.0;              // of what the picture is drawn with
   int drawn = 0;                      // samples of the picture
   double frame_ms = 0.0, scale = 1.0; // of the last quick picture
+  std::string moving_method;          // that it was drawn by
+  bool standard_in_motion = true;     // where the view's method is out of reach of half of the rate
   bool pass_table = false;
   std::map<std::string, double> pass_ms; // of the last sample, while the table is open
   // As `groundglass needs` says it; passes of one label together.

@@ -30,6 +30,7 @@ Application::Application(const Settings& settings, const Commands& commands)
   session_.view = settings.view;
   session_.panel = settings.panel;
   session_.frames_per_second = settings.frames_per_second;
+  session_.standard_in_motion = settings.standard_in_motion;
   session_.truth = settings.truth > 0 || !settings.second.empty();
   session_.second = settings.second;
   session_.inspector = settings.inspect.has_value();

@@ -13,6 +13,7 @@ struct Settings {
   View view;
   gpu::WindowDesc window;
   double frames_per_second = 30.0; // wanted while something moves
+  bool standard_in_motion = true;  // where the method would miss half of that rate
   bool panel = true;
   // Without hands: any of these draws what it is to and ends.
   int bench_orbit = 0;           // frames of one turn about the scene, timed

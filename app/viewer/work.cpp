@@ -11,6 +11,7 @@ namespace {
 
 constexpr double still_after_ms = 150.0;  // since the last change
 constexpr double still_slice_ms = 20.0;   // between two samples that are shown
+constexpr double compile_slice_ms = 50.0; // between two looks at what goes on
 constexpr double warmup_slice_ms = 250.0; // between two looks at what goes on
 
 // One material changed by what a slider may reach: each to the other side of where other shaders begin.
@@ -60,11 +61,12 @@ bool Application::is_moving() const {
 }
 
 void Application::work() {
-  if (is_moving() && picture_->is_open()) { // the first picture is not of something that moves
+  if (is_moving() && picture_->is_open() && compiling_.done) { // the first picture does not move
     const bool goes_on = stale_ || session_.turntable || session_.playing || settling_ > 0;
     if (!goes_on) window_->wait_events(1e-3 * still_after_ms - seconds_since(changed_));
     return;
   }
+  if ((stale_ || quick_) && !compiling_.done && picture_->is_open()) return compile();
   if (stale_ || quick_) restart(false);
   if (!picture_->done()) return draw_still(*picture_, session_.first_ms);
   set_second();
@@ -72,6 +74,23 @@ void Application::work() {
   if (!settings_.screenshot_window.empty()) return;
   if (!planned_) plan_warmup();
   warm_up();
+}
+
+// One pipeline after another, so that the window answers meanwhile; it shows a coarse picture.
+void Application::compile() {
+  const auto start = Clock::now();
+  if (!compiling_.begun) {
+    compiling_.left =
+        picture_->missing(frame_desc(1.0, session_.view.samples, session_.view.method), nullptr);
+    compiling_.all = compiling_.left.size();
+    compiling_.begun = true;
+  }
+  while (!compiling_.left.empty() && ms_since(start) < compile_slice_ms && !is_called()) {
+    picture_->make(compiling_.left.back());
+    compiling_.left.pop_back();
+  }
+  compiling_.done = compiling_.left.empty();
+  settling_ = std::max(settling_, 1); // to be said
 }
 
 // The least of a picture's samples tells what one takes: others wait for other work.
@@ -112,19 +131,30 @@ void Application::warm_up() {
 void Application::plan_warmup() {
   planned_ = true;
   std::vector<WarmupFrame> frames;
-  const auto add = [&](const scene::Camera& camera, double scale, bool draw,
+  struct Quick {
+    double scale;
+    std::string method;
+  };
+  const auto add = [&](const scene::Camera& camera, const Quick& quick, bool draw,
                        std::shared_ptr<const Picture::Materials> materials = nullptr) {
-    WarmupFrame frame{frame_desc(scale, 1), std::move(materials), draw};
+    WarmupFrame frame{frame_desc(quick.scale, 1, quick.method), std::move(materials), draw};
     frame.desc.camera = camera;
     frames.push_back(std::move(frame));
   };
-  constexpr double beside = std::numbers::sqrt2;
-  const double scales[] = {pace_.scale(), std::max(pace_.scale() / beside, 0.125),
-                           std::min(pace_.scale() * beside, 1.0)};
-  for (const double scale : scales)
-    add(session_.camera, scale, true);
+  std::vector<Quick> quick;
+  const auto add_sizes = [&](const Pace& pace, const std::string& method, double third) {
+    constexpr double beside = std::numbers::sqrt2;
+    for (const double factor : {1.0, 1.0 / beside, third})
+      quick.push_back({std::clamp(factor * pace.scale(), 0.125, 1.0), method});
+  };
+  add_sizes(pace_, session_.view.method, std::numbers::sqrt2);
+  if (session_.standard_in_motion && session_.view.method != "standard")
+    add_sizes(standard_pace_, "standard",
+              0.5); // which is begun with before it is known how slow it is
+  for (const Quick& each : quick)
+    add(session_.camera, each, true);
   for (const Picture::Materials& materials : materials_to_come())
-    add(session_.camera, scales[0], false, std::make_shared<Picture::Materials>(materials));
+    add(session_.camera, quick[0], false, std::make_shared<Picture::Materials>(materials));
   constexpr int around = 12;
   constexpr float step = 2.0f * std::numbers::pi_v<float> / around, tilt = 0.4f;
   View view = session_.view;
@@ -133,8 +163,8 @@ void Application::plan_warmup() {
       view.place = session_.view.place.value_or(place_of(session_.camera, session_.scene->bounds));
       orbit(*view.place, step * static_cast<float>(i), pitch);
       const scene::Camera camera = commands_.camera(view, *session_.scene, width_, height_);
-      for (const double scale : scales) // other targets, where other things are seen
-        add(camera, scale, pitch == 0.0f && scale == scales[0]);
+      for (std::size_t k = 0; k < quick.size(); ++k) // other targets, where other things are seen
+        add(camera, quick[k], pitch == 0.0f && k % 3 == 0);
     }
   warmup_->plan(std::move(frames));
 }

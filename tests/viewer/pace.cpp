@@ -61,6 +61,17 @@ TEST(pace, begins_in_time_when_it_knows_the_full_size) {
   }
 }
 
+TEST(pace, knows_that_the_rate_is_out_of_reach) {
+  Pace pace;
+  pace.want(30.0);
+  settled(pace, 2000.0); // 31 ms at an eighth
+  EXPECT_FALSE(pace.is_out_of_reach());
+  settled(pace, 5000.0); // 78 ms
+  EXPECT_TRUE(pace.is_out_of_reach());
+  pace.want(10.0);
+  EXPECT_FALSE(pace.is_out_of_reach());
+}
+
 TEST(pace, leaves_the_picture_a_third_of_a_frame) {
   Pace pace;
   pace.want(30.0, 100.0); // what the window takes is beyond the wanted time alone
