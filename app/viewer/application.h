@@ -118,6 +118,7 @@ private:
   bool camera_alone_ = false;             // nothing but the camera has changed last
   bool broken_ = false;                   // its shaders compile, and cannot be drawn with
   bool planned_ = false;                  // the warm-up has been, for this picture
+  bool timing_asked_ = false;             // the picture is drawn again for the table of passes
   std::map<std::string, double> pass_ms_; // of the sample that is being drawn
   double sample_spent_ = 0.0;             // ms on the sample that is being drawn
   double window_ms_ = 0.0;                // what the last frame took besides a picture

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace gg::viewer {
 namespace {
@@ -25,17 +27,22 @@ image::Image coloured(const image::Image& map, double top) {
   return colours;
 }
 
-// As `groundglass needs` lists them.
+// As `groundglass needs` lists them. What passes of one label write together counts once.
 std::vector<Session::PassRow> rows_of(const frame::Graph& graph) {
   std::vector<Session::PassRow> rows;
+  std::set<std::pair<std::string, std::size_t>> counted;
   for (const frame::Pass& pass : graph.passes) {
     auto row = std::ranges::find(rows, pass.label, &Session::PassRow::label);
     if (row == rows.end()) row = rows.insert(rows.end(), {.label = pass.label});
     ++row->passes;
     row->draws += pass.draws;
+    const auto count = [&](std::size_t target) {
+      if (counted.emplace(pass.label, target).second)
+        row->bytes += frame::bytes_of(graph.targets[target]);
+    };
     for (const frame::ColorOutput& color : pass.colors)
-      row->bytes += frame::bytes_of(graph.targets[color.part.target]);
-    if (pass.depth) row->bytes += frame::bytes_of(graph.targets[pass.depth->target]);
+      count(color.part.target);
+    if (pass.depth) count(pass.depth->target);
   }
   return rows;
 }
@@ -159,7 +166,10 @@ void Application::draw() {
   set_second();
   session_.drawn = picture_->drawn();
   session_.device_bytes = window_->device().memory_bytes();
+  timing_asked_ &= session_.pass_table;
   if (!session_.pass_table || !picture_->is_open()) return;
+  if (!timing_asked_ && session_.pass_ms.empty() && picture_->done() && !quick_)
+    stale_ = timing_asked_ = true; // again, for its passes were not timed
   session_.passes = rows_of(picture_->renderer().graph());
   session_.features = needs::features_in_use(picture_->renderer().needs().draws.all);
 }

@@ -35,9 +35,13 @@ void draw_truth_panel(Session& session, const std::vector<std::string>& methods)
   const std::string truth = "the truth, path traced";
   if (ImGui::BeginCombo("second",
                         session.second.empty() ? truth.c_str() : session.second.c_str())) {
-    if (ImGui::Selectable(truth.c_str())) session.second.clear();
+    const auto choose = [&](const std::string& method) {
+      session.second = method;
+      session.truth = true; // who chooses wants to see it
+    };
+    if (ImGui::Selectable(truth.c_str())) choose("");
     for (const std::string& method : methods)
-      if (ImGui::Selectable(method.c_str())) session.second = method;
+      if (ImGui::Selectable(method.c_str())) choose(method);
     ImGui::EndCombo();
   }
   int now = static_cast<int>(session.comparing);
