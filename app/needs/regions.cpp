@@ -1,6 +1,7 @@
 #include "needs/regions.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace gg::needs {
 namespace {
@@ -12,11 +13,29 @@ namespace {
 // would want a smaller number; what they lose by this one is a pass over the picture.
 constexpr double fine = 16.0;
 
-// All that shading takes from the mesh is depth, normal and tangent (stages/geometry.frag). Without light there is nothing to save.
+// A texel keeps what these say (stages/packed_maps.glsl).
+bool is_kept(const Draw& draw, const Map& map) {
+  const auto kind = std::ranges::find(map_kinds, std::string_view(map.name),
+                                      [](const MapKind& k) { return std::string_view(k.name); });
+  switch (kind->feature) {
+  case Feature::base_color_map:
+  case Feature::metallic_roughness_map:
+  case Feature::occlusion_map:
+  case Feature::emissive_map:
+    return true;
+  case Feature::normal_map: // of coat and brushing the mesh's own normal is read, too
+    return value_of(draw.key, Feature::clearcoat) == 0
+           && value_of(draw.key, Feature::anisotropy) == 0;
+  default:
+    return false;
+  }
+}
+
+// Without light there is nothing to save.
 bool can_be_by_pixel(const Draw& draw) {
-  return draw.role == Role::opaque && draw.material->alpha_mode == scene::AlphaMode::opaque
-         && draw.maps.empty() && value_of(draw.key, Feature::vertex_color) == 0
-         && value_of(draw.key, Feature::shading) != static_cast<int>(Shading::unlit);
+  return draw.role == Role::opaque
+         && value_of(draw.key, Feature::shading) != static_cast<int>(Shading::unlit)
+         && std::ranges::all_of(draw.maps, [&](const Map& map) { return is_kept(draw, map); });
 }
 
 // Pixels of the picture that the box covers.
@@ -35,6 +54,11 @@ void mark_fine(std::vector<Draw>& draws, const View& view) {
     const double triangles = static_cast<double>(draw.index_count) / 3.0;
     draw.by_pixel = pixels < fine * triangles;
   }
+}
+
+bool keeps_maps(const Draw& draw) {
+  return !draw.maps.empty() || value_of(draw.key, Feature::vertex_color) != 0
+         || draw.material->alpha_mode == scene::AlphaMode::mask;
 }
 
 std::vector<Region> opaque_regions_of(const std::vector<const Draw*>& draws, const View& view) {

@@ -1,7 +1,7 @@
 // opaque.glsl: radiance of an opaque (or masked, or blended) surface towards the viewer.
 // Frame    world, metres.
 // Needs    interface/{frame,lights,material}.glsl, stages/material_features.glsl, the inputs of opaque.vert.
-// Returns  opaqueColor: linear radiance, premultiplied by the coverage in w. base: surfaceBaseColor().
+// Returns  linear radiance; opaqueColor: premultiplied by the coverage in w. base: surfaceBaseColor().
 #include "stages/surface.glsl"
 #include "stages/reflectance.glsl"
 #include "stages/environment.glsl"
@@ -12,10 +12,7 @@
 #include "stages/importance.glsl"
 #include "stages/clearcoat.glsl"
 
-vec4 opaqueColor(vec4 base) {
-    float coverage = alphaMode == 2 ? base.w : 1.0;
-    if (shading == 0) return vec4(base.xyz * coverage, coverage);
-    Surface s = readSurface(base);
+vec3 opaqueRadiance(Surface s) {
     if (hasHollows) s.hollow = clamp(inHollow, 0.0, 1.0);
     vec3 radiance = s.emissive;
     if (hasEnvironment) {
@@ -23,5 +20,12 @@ vec4 opaqueColor(vec4 base) {
         else radiance += environmentLight(s);
     }
     if (hasLights) radiance += punctualLight(s);
-    return vec4(coated(s, radiance) * coverage, coverage);
+    return coated(s, radiance);
+}
+
+vec4 opaqueColor(vec4 base) {
+    float coverage = alphaMode == 2 ? base.w : 1.0;
+    vec3 radiance = base.xyz;
+    if (shading != 0) radiance = opaqueRadiance(readSurface(base));
+    return vec4(radiance * coverage, coverage);
 }

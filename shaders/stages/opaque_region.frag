@@ -1,38 +1,10 @@
-// opaque_region.frag: deferred shading [Deering88] of the opaque surfaces of one material (geometry.frag, material_depth.frag).
-// Triangles of a fine mesh are smaller than the blocks of pixels that devices shade: drawn forward, most pixels would be shaded
-// several times.
-// Limits   no maps and no colours of vertices: the G-buffer holds depth, normal and tangent.
+// opaque_region.frag: deferred shading of surfaces without maps.
 #version 450
-#include "interface/frame.glsl"
-#include "interface/lights.glsl"
-#include "interface/material.glsl"
-#include "refraction/exit_surface.glsl"
-#include "stages/material_features.glsl"
-#include "stages/packed_tangent.glsl"
-
-layout(binding = 28) uniform usampler2D geometry;
+#include "stages/opaque_region.glsl"
 
 layout(location = 0) out vec4 outColor;
 
-// The outputs of opaque.vert.
-vec3 inPosition;
-vec3 inNormal;
-vec4 inTangent;
-const vec4 inColor = vec4(1.0);
-const vec4 inUv01 = vec4(0.0);
-const vec4 inUv23 = vec4(0.0);
-float inHollow;
-
-#include "stages/opaque.glsl"
-
 void main() {
-    uvec4 texel = texelFetch(geometry, ivec2(gl_FragCoord.xy), 0);
-    InteriorView view = interiorView(frame.clipFromWorld, frame.worldFromClip, frame.picture.xy);
-    inPosition = interiorWorld(view, gl_FragCoord.xy, uintBitsToFloat(texel.x));
-    inNormal = octDecode(vec2(uintBitsToFloat(texel.y), uintBitsToFloat(texel.z))); // on the viewer's side already
-    inTangent = vec4(0.0);
-    inHollow = 0.0;
-    if (hasHollows) inHollow = float(texel.w & 4095u) / 4095.0;
-    if (brushedLobes > 0) inTangent = unpackedTangent(texel.w, inNormal);
+    readGeometry();
     outColor = opaqueColor(surfaceBaseColor());
 }

@@ -63,6 +63,28 @@ vec4 surfaceBaseColor() {
     return color;
 }
 
+// Metallic and glTF's roughness.
+vec2 surfaceMetal() {
+    vec2 metal = material.surface.xy;
+    if (metallicRoughnessMapUv > 0)
+        metal *= texture(metallicRoughnessMap,
+                         mapUv(metallicRoughnessMapUv, material.metallicRoughnessRow0, material.metallicRoughnessRow1)).zy;
+    return metal;
+}
+
+float surfaceOcclusion() {
+    if (occlusionMapUv == 0) return 1.0;
+    float map = texture(occlusionMap, mapUv(occlusionMapUv, material.occlusionRow0, material.occlusionRow1)).x;
+    return 1.0 + material.occlusionRow1.w * (map - 1.0);
+}
+
+vec3 surfaceEmissive() {
+    vec3 emissive = material.emissive.xyz;
+    if (emissiveMapUv > 0)
+        emissive *= texture(emissiveMap, mapUv(emissiveMapUv, material.emissiveRow0, material.emissiveRow1)).xyz;
+    return emissive;
+}
+
 // The interpolated normal, bent by a normal map's texel. MikkTSpace: the basis is interpolated and used as it arrives, neither made
 // unit nor orthogonal, because that is what the map was baked for.
 vec3 bentNormal(vec3 bend, float scale) {
@@ -169,15 +191,9 @@ Surface readSurface(vec4 base) {
     s.wo = ofPixel(frame.eye.w) > 0.0 ? normalize(frame.eye.xyz - inPosition) : -frame.viewDirection.xyz;
     s.n = faceViewer(surfaceNormal(gl_FrontFacing), s.wo);
 
-    float roughness = material.surface.y;
-    s.metallic = material.surface.x;
-    if (metallicRoughnessMapUv > 0) {
-        vec4 map = texture(metallicRoughnessMap,
-                           mapUv(metallicRoughnessMapUv, material.metallicRoughnessRow0, material.metallicRoughnessRow1));
-        s.metallic *= map.z;
-        roughness *= map.y;
-    }
-    s.alpha = alphaIsGiven ? material.surface.z : roughness * roughness;
+    vec2 metal = surfaceMetal();
+    s.metallic = metal.x;
+    s.alpha = alphaIsGiven ? material.surface.z : metal.y * metal.y;
 
     s.specular = material.specular.w; // KHR_materials_specular
     s.specularColor = material.specular.xyz;
@@ -194,14 +210,8 @@ Surface readSurface(vec4 base) {
             texture(transmissionMap, mapUv(transmissionMapUv, material.transmissionRow0, material.transmissionRow1)).x;
 
     s.hollow = 0.0;
-    s.occlusion = 1.0;
-    if (occlusionMapUv > 0) {
-        float map = texture(occlusionMap, mapUv(occlusionMapUv, material.occlusionRow0, material.occlusionRow1)).x;
-        s.occlusion = 1.0 + material.occlusionRow1.w * (map - 1.0);
-    }
-    s.emissive = material.emissive.xyz;
-    if (emissiveMapUv > 0)
-        s.emissive *= texture(emissiveMap, mapUv(emissiveMapUv, material.emissiveRow0, material.emissiveRow1)).xyz;
+    s.occlusion = surfaceOcclusion();
+    s.emissive = surfaceEmissive();
     s.turn = turnOverPixel(reflect(-s.wo, s.n));
     s.level = s.n;
     s.facets = 1.0;

@@ -42,9 +42,10 @@ void declare_refractive(Graph& graph, const needs::Needs& needs, std::size_t lay
                         const std::optional<Input>& interior);
 void declare_accumulate(Graph& graph, const needs::Needs& needs);
 
-// The buffers that the passes of opaque regions share: depth, normal and region of a pixel, and the depth by which a
-// region finds its pixels.
+// The buffers that the passes of opaque regions share: depth, normal and region of a pixel; what its maps say; and the depth by
+// which a region finds its pixels.
 std::size_t geometry_buffer(Graph& graph);
+std::size_t geometry_maps(Graph& graph);
 std::size_t material_depth(Graph& graph);
 
 } // namespace gg::frame
