@@ -26,11 +26,13 @@ void writeFootprint() {
     outFar = vec4(0.0);
     // As lookupRadiance(). What strata bring is interpolated as radiance: it changes slowly.
     vec4 strata = vec4(0.0);
-    StrataWalk walk = strataWalk();
-    for (int k = 0; k <= walk.last; ++k) {
+    float wide = 0.0;
+    int last = 0;
+    for (int k = 0; k <= last; ++k) {
         vec3 stratum = stratumAt(k);
         Intersection intersection = lobeIntersection(stratumOf(pair.core.lobe, stratum), within);
-        meetStratum(walk, k, within < 0.0, pair.core.lobe, intersection);
+        if (k == 0 && within < 0.0) wide = wideShare(pair.core.lobe, intersection);
+        last = wide > 0.0 ? WIDE_STRATA : 0;
         WeightedLobe w = pair.core;
         for (int m = 0; m < entryLobes; ++m) {
             if (m == 1) w = pair.rest;
@@ -56,8 +58,8 @@ void writeFootprint() {
             }
         }
     }
-    outSpots.zw *= 1.0 - walk.wide;
-    outFar = mix(outFar, strata / float(WIDE_STRATA), walk.wide);
+    outSpots.zw *= 1.0 - wide;
+    outFar = mix(outFar, strata / float(WIDE_STRATA), wide);
     if (hasLights) {
         outFar.xyz += pair.core.weight * lightsAlong(pair.core.lobe);
         if (entryLobes > 1) outFar.xyz += pair.rest.weight * lightsAlong(pair.rest.lobe);

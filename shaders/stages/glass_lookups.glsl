@@ -61,12 +61,14 @@ vec3 lookupRadiance(GlassLookup g) {
     vec3 single = vec3(0.0);
     vec3 strata = vec3(0.0);
     vec3 lit = vec3(0.0);
-    StrataWalk walk = strataWalk();
+    float wide = 0.0;
+    int last = 0;
     int members = g.both ? 2 : 1; // in one place: see above
-    for (int k = 0; k <= walk.last; ++k) {
+    for (int k = 0; k <= last; ++k) {
         vec3 stratum = stratumAt(k);
         Intersection intersection = lobeIntersection(stratumOf(g.core.lobe, stratum), g.within);
-        meetStratum(walk, k, g.transmitted && g.within < 0.0, g.core.lobe, intersection);
+        if (k == 0 && g.transmitted && g.within < 0.0) wide = wideShare(g.core.lobe, intersection);
+        last = wide > 0.0 ? WIDE_STRATA : 0;
         WeightedLobe w = g.core;
         for (int m = 0; m < members; ++m) {
             if (m == 1) w = g.rest;
@@ -76,7 +78,7 @@ vec3 lookupRadiance(GlassLookup g) {
             if (hasLights && g.transmitted && k == 0) lit += w.weight * lightsAlong(w.lobe);
         }
     }
-    return mix(single, strata / float(WIDE_STRATA), walk.wide) + lit;
+    return mix(single, strata / float(WIDE_STRATA), wide) + lit;
 }
 
 // Radiance of the reflection lobes, beside light that is transmitted with this weight.

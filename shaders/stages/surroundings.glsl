@@ -65,15 +65,15 @@ LobeRay partOf(LobeRay lobe) { return stratumOf(lobe, ownStratum()); }
 
 // Where a pixel has fewer samples than this a wide lobe takes as many strata in each of them.
 const int WIDE_STRATA = 8;
+const int OUTLINE_PAIRS = 4;
 bool hasFewSamples() { return ofPixel(frame.part.w) * float(12 * WIDE_STRATA) > 1.0; }
 
-// The k-th of them, sqrt(.5) as wide as the lobe, one sigma off its mean: together they have its mean and variance, and so have the
-// first four, of which the first and the third, and the second and the fourth, are opposite. Level and upright edges cross no two
-// of four at once. Samples of a pixel turn them.
+// The k-th of them, sqrt(.5) as wide as the lobe, one sigma off its mean: together they have its mean and variance. Level and upright
+// edges cross no two at once. Samples of a pixel turn them.
 vec3 wideStratum(int k) {
     vec2 part = vec2(ofPixel(frame.part.x), frame.part.y);
     float own = dot(part, part) > 0.0 ? atan(part.y, part.x) / float(WIDE_STRATA) : 0.0;
-    float turn = 0.21 + own + (float(k & 3) + (k < 4 ? 0.0 : 0.5)) * (0.5 * BSDF_PI);
+    float turn = 0.21 + own + float(k) * (2.0 * BSDF_PI / float(WIDE_STRATA));
     return vec3(cos(turn), sin(turn), 0.70711);
 }
 
@@ -386,6 +386,25 @@ vec3 lobeRayRadiance(LobeRay lobe, Intersection intersection) {
     return mix(farRadiance(lobe.direction, seenSigma(lobe)), near.xyz, near.w);
 }
 
+// Of a lobe's light, what is left to its strata where the picture's depth, one sigma off its mean, is not that of one plane, over which
+// depth is linear: on one plane they meet what the mean meets. Relative to the way from the glass.
+const float ONE_PLANE = 0.005;
+const float TWO_THINGS = 0.02;
+float apartShare(vec2 at, float sigma, float nearer) {
+    float z = depthBehind(at);
+    float least = z;
+    float bent = 0.0;
+    for (int k = 0; k < OUTLINE_PAIRS; ++k) {
+        float turn = 0.21 + float(k) * (BSDF_PI / float(OUTLINE_PAIRS));
+        vec2 aside = sigma * vec2(cos(turn), sin(turn));
+        float one = depthBehind(at + aside);
+        float other = depthBehind(at - aside);
+        bent = max(bent, abs(0.5 * (one + other) - z));
+        least = max(least, max(one, other));
+    }
+    return smoothstep(ONE_PLANE, TWO_THINGS, bent / max(least * nearer, LEAST_DIVISOR));
+}
+
 // How much of a lobe's light its strata bring: from sigmas on the picture of 1.5 pixels, where an outline is as sharp as its blur,
 // to 3. `intersection`: of the lobe's mean.
 const float WIDE_FROM = 1.5;
@@ -393,44 +412,16 @@ const float WIDE_TO = 3.0;
 
 // What is no wider than that where it starts is not either where it ends: an orthographic camera, which sees metres, apart.
 float wideShare(LobeRay lobe, Intersection intersection) {
-    if (!hasFewSamples() || (lobe.sigma * frame.picture.z < WIDE_FROM && ofPixel(frame.eye.w) > 0.0)) return 0.0;
+    if (isSmooth || !hasFewSamples() || (lobe.sigma * frame.picture.z < WIDE_FROM && ofPixel(frame.eye.w) > 0.0)) return 0.0;
     // Over the glass, in pixels: where a face turns so fast its lobes differ more from pixel to pixel than they are wide.
     float onGlass = lobe.sigma * sqrt(frame.part.w / max(lobe.turn, LEAST_LENGTH2));
     lobe.turn = 0.0; // what the pixel adds is no part of the lobe
     Footprint f = footprintOf(lobe, intersection);
+    if (!(f.share > 0.0)) f.at = intersection.from;
     float sigma = f.share > 0.0 ? sqrt(f.variance - f.outside) : lobe.sigma * frame.picture.z;
-    return smoothstep(WIDE_FROM, WIDE_TO, min(sigma, onGlass));
+    float wide = smoothstep(WIDE_FROM, WIDE_TO, min(sigma, onGlass));
+    float range = length(lobe.origin + intersection.distance * lobe.direction - frame.eye.xyz);
+    return wide * apartShare(f.at, sigma, intersection.distance > 0.0 ? min(intersection.distance / range, 1.0) : 1.0);
 }
-
-float inverseDistance(Intersection intersection) { return intersection.distance > 0.0 ? 1.0 / intersection.distance : 0.0; }
-
-// Of that share, what is left where the first four strata meet the plane that the mean meets: there 1 / distance is the mean of
-// that of two that are opposite. pairs: their sums.
-const float ONE_PLANE = 0.005;
-const float TWO_THINGS = 0.02;
-float apartShare(vec2 pairs, float mean) {
-    vec2 apart = abs(0.5 * pairs - mean) / max(max(0.5 * pairs, vec2(mean)), vec2(LEAST_DIVISOR));
-    return smoothstep(ONE_PLANE, TWO_THINGS, max(apart.x, apart.y));
-}
-
-// Of a lobe whose strata are met one after another: first its sample's own, k = 0, then, as far as it is wide, those in its place.
-struct StrataWalk {
-    float wide; // how much of the light the strata bring
-    float mean; // 1 / distance where the first has met something
-    vec2 pairs; // sums of the same of k = 1 and 3, and of 2 and 4
-    int last;   // k of the last to be met
-};
-
-StrataWalk strataWalk() { return StrataWalk(0.0, 0.0, vec2(0.0), 0); }
 
 vec3 stratumAt(int k) { return k == 0 ? ownStratum() : wideStratum(k - 1); }
-
-// After the k-th has met `intersection`. lobe: the whole one; split: whether it may be taken by strata.
-void meetStratum(inout StrataWalk walk, int k, bool split, LobeRay lobe, Intersection intersection) {
-    if (k == 0 && split) walk.wide = wideShare(lobe, intersection);
-    float inverse = inverseDistance(intersection);
-    if (k == 0) walk.mean = inverse;
-    else if (k <= 4) walk.pairs += (k & 1) == 1 ? vec2(inverse, 0.0) : vec2(0.0, inverse);
-    if (k == 4) walk.wide *= apartShare(walk.pairs, walk.mean);
-    walk.last = walk.wide > 0.0 ? (k < 4 ? 4 : WIDE_STRATA) : 0;
-}
