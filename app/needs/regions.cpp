@@ -31,9 +31,12 @@ bool is_kept(const Draw& draw, const Map& map) {
   }
 }
 
-// Without light there is nothing to save.
+// Without light there is nothing to save. A mask that nothing varies hides all or nothing.
 bool can_be_by_pixel(const Draw& draw) {
-  return draw.role == Role::opaque
+  const bool masks_nothing = draw.material->alpha_mode == scene::AlphaMode::mask
+                             && value_of(draw.key, Feature::base_color_map) == 0
+                             && value_of(draw.key, Feature::vertex_color) == 0;
+  return draw.role == Role::opaque && !masks_nothing
          && value_of(draw.key, Feature::shading) != static_cast<int>(Shading::unlit)
          && std::ranges::all_of(draw.maps, [&](const Map& map) { return is_kept(draw, map); });
 }

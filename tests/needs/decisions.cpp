@@ -449,10 +449,16 @@ TEST(needs, what_takes_more_from_its_mesh_is_shaded_by_its_triangles) {
   mapped.images = {std::make_shared<image::Image8>(
       image::Image8{.width = 1, .height = 1, .rgba = {9, 9, 9, 9}})};
   mapped.textures = {{.image = 0}};
-  mapped.materials[0].metallic_roughness_map.texture = 0;
-  for (const scene::Scene& scene :
-       {ball(masked), ball(veil), ball(unlit(glm::vec3(1.0f))), colored, mapped})
+  scene::Scene kept = mapped;
+  mapped.materials[0].specular_map.texture = 0;
+  kept.materials[0].metallic_roughness_map.texture = 0;
+  for (const scene::Scene& scene : {ball(masked), ball(veil), ball(unlit(glm::vec3(1.0f))), mapped})
     EXPECT_EQ(labels(needs::needs_of(scene, view())), Labels{"opaque"});
+  for (const scene::Scene& scene : {colored, kept}) {
+    const Needs needs = needs::needs_of(scene, view());
+    EXPECT_EQ(labels(needs), (Labels{"geometry", "opaque", "material depth", "deferred"}));
+    EXPECT_NE(frame::graph_of(needs).find("geometry maps"), nullptr);
+  }
 }
 
 TEST(needs, fine_meshes_of_one_material_and_the_same_neighbours_share_a_region) {

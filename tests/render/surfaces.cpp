@@ -101,6 +101,26 @@ TEST_P(Render, a_map_reads_the_set_of_coordinates_that_it_names) {
   expect_color(rgb(picture, near_edge, size - near_edge), green, rounding, "lower left");
 }
 
+// Of a fine mesh maps are read first and shaded by its pixels afterwards; with a map that texels do not keep, by its triangles. Nearest
+// texels change within a pixel, where a triangle's edge may fall to either.
+TEST_P(Render, maps_say_the_same_by_the_pixels_of_a_fine_mesh_and_by_its_triangles) {
+  scene::Scene scene = ball(metal(0.5f));
+  scene::Material& m = scene.materials[0];
+  m.base_color_map = four_colors(scene);
+  m.alpha_mode = scene::AlphaMode::mask;
+  m.metallic_roughness_map = add_texture(scene, 2, 1, {0, 250, 255, 255, 0, 90, 40, 255});
+  m.occlusion_map = add_texture(scene, 1, 2, {255, 0, 0, 255, 99, 0, 0, 255});
+  m.emissive = {0.2f, 0.1f, 0.3f};
+  m.specular_color = glm::vec3(0.9f); // Schlick's form, as with the map below
+  m.emissive_map = add_texture(scene, 1, 2, {255, 99, 99, 255, 99, 255, 99, 255});
+  m.normal_map = add_texture(scene, 1, 1, {150, 128, 250, 255});
+  scene::Scene by_triangles = scene;
+  by_triangles.materials[0].specular_map = add_texture(by_triangles, 1, 1, {255, 255, 255, 255});
+  const Setup setup{environment_of(16, [](glm::dvec3 d) { return 0.5 + 0.4 * d; }), head_on()};
+  EXPECT_TRUE(pictures_agree(draw(scene, setup), draw(by_triangles, setup),
+                             {.difference = 2.0f * eight_bits, .fraction_over = 0.01}));
+}
+
 TEST_P(Render, two_maps_of_one_material_read_two_sets) {
   scene::Scene scene = square(dielectric(1.0f, black));
   scene::Primitive& p = scene.meshes[0].primitives[0];
