@@ -396,7 +396,9 @@ float apartShare(vec2 at, float sigma, float nearer) {
     float bent = 0.0;
     for (int k = 0; k < OUTLINE_PAIRS; ++k) {
         float turn = 0.21 + float(k) * (BSDF_PI / float(OUTLINE_PAIRS));
-        vec2 aside = sigma * vec2(cos(turn), sin(turn));
+        vec2 aside = floor(sigma * vec2(cos(turn), sin(turn)) + 0.5); // to texels as far to one side as to the other
+        vec2 within = min(at, frame.picture.xy - at) - abs(aside);
+        if (min(within.x, within.y) < 0.0) continue; // extended borders bend
         float one = depthBehind(at + aside);
         float other = depthBehind(at - aside);
         bent = max(bent, abs(0.5 * (one + other) - z));
