@@ -1,6 +1,6 @@
 // opaque_region.glsl: reads the G-buffer (geometry.glsl) for deferred shading [Deering88] of the opaque surfaces of one material
-// (material_depth.frag). Triangles of a fine mesh are smaller than the blocks of pixels that devices shade: drawn forward, most pixels
-// would be shaded several times.
+// (material_depth.frag). Triangles of a fine mesh are smaller than the blocks of pixels that devices shade: drawn forward, most
+// pixels would be shaded several times.
 #include "interface/frame.glsl"
 #include "interface/lights.glsl"
 #include "interface/material.glsl"

@@ -1,5 +1,5 @@
-// packed_maps.glsl: what maps, factors and colours of vertices say of a surface, in 128 bits: halves of colour and emission, 12 bits
-// of roughness, 10 of metallic and of occlusion. Textures have 8.
+// packed_maps.glsl: what maps, factors and colours of vertices say of a surface, in 128 bits: halves of colour and emission, 12
+// bits of roughness, 10 of metallic and of occlusion. Textures have 8.
 // Limits   emission up to 65504.
 
 struct MapValues {

@@ -68,8 +68,8 @@ const int WIDE_STRATA = 8;
 const int OUTLINE_PAIRS = 4;
 bool hasFewSamples() { return ofPixel(frame.part.w) * float(12 * WIDE_STRATA) > 1.0; }
 
-// The k-th of them, sqrt(.5) as wide as the lobe, one sigma off its mean: together they have its mean and variance. Level and upright
-// edges cross no two at once. Samples of a pixel turn them.
+// The k-th of them, sqrt(.5) as wide as the lobe, one sigma off its mean: together they have its mean and variance. Level and
+// upright edges cross no two at once. Samples of a pixel turn them.
 vec3 wideStratum(int k) {
     vec2 part = vec2(ofPixel(frame.part.x), frame.part.y);
     float own = dot(part, part) > 0.0 ? atan(part.y, part.x) / float(WIDE_STRATA) : 0.0;
@@ -386,8 +386,9 @@ vec3 lobeRayRadiance(LobeRay lobe, Intersection intersection) {
     return mix(farRadiance(lobe.direction, seenSigma(lobe)), near.xyz, near.w);
 }
 
-// Of a lobe's light, what is left to its strata where the picture's depth, one sigma off its mean, is not that of one plane, over which
-// depth is linear: on one plane they meet what the mean meets. Relative to the way from the glass.
+// Of a lobe's light, what is left to its strata where the picture's depth, one sigma off its mean, is not that of one plane, over
+// which depth is linear: on one plane they meet what the mean meets. at, sigma: pixels. nearer: the way from the glass over that
+// from the eye.
 const float ONE_PLANE = 0.005;
 const float TWO_THINGS = 0.02;
 float apartShare(vec2 at, float sigma, float nearer) {
