@@ -135,14 +135,14 @@ truth::Film film_of(const TruthOptions& o, const std::map<std::string, std::stri
     throw Error(ExitCode::usage, o.exr,
                 fmt::format("is {} x {} pixels, not {} x {}", film.width(), film.height(),
                             size.width, size.height),
-                "Ask for the same --size, or leave --resume out to start anew.");
+                "Ask for the same --size, or leave --resume out to start again.");
   for (const auto& [key, value] : settings) {
     const auto found = before.attributes.find(key);
     const std::string was = found != before.attributes.end() ? found->second : "";
     if (was != value)
       throw Error(ExitCode::usage, o.exr,
                   fmt::format("was rendered with {} '{}', not '{}'", key, was, value),
-                  "Ask for the same, or leave --resume out to start anew.");
+                  "Ask for the same, or leave --resume out to start again.");
   }
   return film;
 }

@@ -34,7 +34,7 @@ public:
   void image(std::string_view name, const View& view) final;
 
 protected:
-  // What is bound by a name. Set anew, it gets a new version.
+  // What is bound by a name. Set again, it gets a new version.
   struct Bound {
     enum class What { nothing, buffer, texture, image } what = What::nothing;
     std::uint64_t version = 0;

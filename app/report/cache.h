@@ -22,7 +22,7 @@ public:
                              const std::string& extension) const;
   bool has(const std::string& kind, const std::string& key, const std::string& extension) const;
 
-  // Nothing if it is not there or is not JSON: a damaged result is computed anew.
+  // Nothing if it is not there or is not JSON: a damaged result is computed again.
   std::optional<nlohmann::json> json(const std::string& kind, const std::string& key) const;
   void store(const std::string& kind, const std::string& key, const nlohmann::json& value) const;
 

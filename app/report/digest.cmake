@@ -1,4 +1,4 @@
-# Writes the digest of the files TEXTS, as a C++ string, to OUT.
+# Writes the digest of the files TEXTS, as a C++ string, to OUT; an equal one is left as it is, so that nothing is compiled for it.
 set(all "")
 foreach(text IN LISTS TEXTS)
   file(SHA256 ${text} one)
@@ -6,4 +6,11 @@ foreach(text IN LISTS TEXTS)
   string(APPEND all "${name} ${one}\n")
 endforeach()
 string(SHA256 digest "${all}")
-file(WRITE ${OUT} "\"${digest}\"\n")
+set(text "\"${digest}\"\n")
+set(before "")
+if(EXISTS ${OUT})
+  file(READ ${OUT} before)
+endif()
+if(NOT text STREQUAL before)
+  file(WRITE ${OUT} "${text}")
+endif()

@@ -168,20 +168,24 @@ std::string devices(const Report& report) {
   return html;
 }
 
-constexpr const char* reading =
-    "relMSE is the mean of (x - r)² / (r² + 0.01) over RGB, in linear light, over the pixels that "
-    "shaded objects cover wholly (unlit ones are the same in every method); so are bias, the mean "
-    "of "
-    "x - r, and p99 of |x - r|. 1 %-trimmed is the relMSE without the hundredth of the pixels "
-    "where "
-    "it is largest; what is most accurate is told by it, --max-error by all pixels. Within noise "
-    "is "
-    "the share of pixels whose difference is no larger than their truth's standard error: of them "
-    "nothing can be said. FLIP and PSNR are of the displayed picture: clamped, sRGB, 67 pixels per "
-    "degree. Lookups are those of prefiltered pictures that one pixel makes per sample, at most: "
-    "of "
-    "what is reflected, and for glass of what is refracted, internally reflected and residual. A "
-    "line joins the points of one method from few samples to many.";
+// What the numbers mean.
+std::string reading() {
+  std::string html;
+  for (const char* line :
+       {"Errors are over the pixels that shaded objects cover wholly, in linear light; x is the "
+        "picture, r the truth. Unlit objects are the same in every method and do not count.",
+        "relMSE: mean of (x - r)² / (r² + 0.01) over RGB. 1 %-trimmed: the same without the 1 % of "
+        "pixels where it is largest; by this a method is the most accurate. --max-error is of all "
+        "pixels.",
+        "bias: mean of x - r. p99: 99th percentile of |x - r|. within noise: the share of pixels "
+        "whose difference is no larger than the truth's own standard error there.",
+        "FLIP, PSNR: of the displayed picture (clamped, sRGB, 67 pixels per degree).",
+        "lookups: of prefiltered pictures, for one sample of one pixel, at most: reflected + "
+        "refracted + internally reflected + residual.",
+        "A line joins the points of one method, from few samples to many."})
+    html += paragraph(line, "quiet");
+  return html;
+}
 
 } // namespace
 
@@ -193,7 +197,7 @@ std::string page(const Report& report) {
                      + read_text(assets / "style.css")
                      + "</style>\n</head>\n<body>\n"
                        "<h1>Speed against error</h1>\n";
-  html += summary_table(report) + devices(report) + paragraph(reading, "quiet");
+  html += summary_table(report) + devices(report) + reading();
   for (const Section& section : report.sections)
     html += section_of(section, report.limit);
   html +=

@@ -18,7 +18,7 @@ struct Outcome {
 };
 
 // Measures scene after scene, through a cache in plan.directory/cache, and after each writes
-// report.html, report.json, report.csv and plots.svg anew, so that an interrupt (Ctrl-C) loses what
+// report.html, report.json, report.csv and plots.svg again, so that an interrupt (Ctrl-C) loses what
 // is half done at most. The directory is made. Throws Error.
 Outcome run(const Plan& plan);
 

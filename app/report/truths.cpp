@@ -49,7 +49,7 @@ truth::Film film_of(const std::optional<TruthRecord>& before, const Subject& sub
       truth::Film film = truth::Film::from_exr(image::read_exr(before->file), before->file);
       if (film.width() == subject.width && film.height() == subject.height) return film;
     } catch (const Error& damaged) {
-      note(std::string(damaged.what()) + " It is traced anew.");
+      note(std::string(damaged.what()) + " It is traced again.");
     }
   return {subject.width, subject.height};
 }

@@ -134,7 +134,7 @@ Film Film::from_exr(const image::Exr& exr, const std::filesystem::path& path) {
                && (begun == 0 || exr.channels.contains(batch_channels[c]));
   if (!complete)
     throw Error(ExitCode::input, path, "was not written by groundglass truth",
-                "Leave --resume out to start anew.");
+                "Leave --resume out to start again.");
   Film film(exr.width, exr.height);
   film.samples_ = spp;
   const double n = static_cast<double>(spp);
@@ -148,7 +148,7 @@ Film Film::from_exr(const image::Exr& exr, const std::filesystem::path& path) {
           begun > 0 ? static_cast<double>(exr.channels.at(batch_channels[c])[i]) : 0.0;
       if (!std::isfinite(value) || !std::isfinite(error) || !std::isfinite(batch))
         throw Error(ExitCode::input, path, "has values that are not finite",
-                    "Leave --resume out to start anew.");
+                    "Leave --resume out to start again.");
       pixel.sum[c] = n * value;
       pixel.batch[c] = batch;
       pixel.squares[c] = n * value * value + n * freedom * error * error;

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-// A later option with a preset starts anew; one without adds to what is there.
+// A later option with a preset starts again; one without adds to what is there.
 void add(Edit& to, const std::string& settings) {
   std::istringstream parts(settings);
   std::string preset;

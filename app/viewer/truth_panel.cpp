@@ -21,10 +21,10 @@ void draw_numbers(const image::Comparison& comparison) {
   row(of_objects ? "over the objects" : "over the picture",
       fmt::format("{} pixels", errors.pixels));
   row("relMSE", fmt::format("{:.4g}", errors.relmse));
-  row("without its worst 1 %", fmt::format("{:.4g}", errors.relmse_trimmed));
+  row("relMSE, 1 %-trimmed", fmt::format("{:.4g}", errors.relmse_trimmed));
   row("FLIP", fmt::format("{:.3f}", errors.flip));
   row("bias", fmt::format("{:+.4f}", errors.bias));
-  if (errors.noise) row("of relMSE, truth's noise", fmt::format("{:.4g}", errors.noise->relmse));
+  if (errors.noise) row("relMSE from noise", fmt::format("{:.4g}", errors.noise->relmse));
   ImGui::EndTable();
 }
 

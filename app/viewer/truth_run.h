@@ -36,7 +36,7 @@ public:
     frame::Background background;
     long samples = 4096;
   };
-  // Starts anew; what ran before is cancelled.
+  // Starts again; what ran before is cancelled.
   void start(Desc desc);
   void cancel(); // at once: its threads end by themselves, nothing of theirs is reported any more
   void stop();   // cancels, and returns when no thread of it reads the scene

@@ -47,7 +47,7 @@ private:
 using SetContents = std::vector<std::uint64_t>;
 
 // Sets by what they hold: written once, found again frame after frame. Those of objects that are
-// gone are written anew for others.
+// gone are written again for others.
 class SetCache {
 public:
   explicit SetCache(Context& context) : context_(context) {}

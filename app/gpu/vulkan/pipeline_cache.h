@@ -19,7 +19,7 @@ bool is_of(const VkPhysicalDeviceProperties& properties, std::span<const std::by
 
 class PipelineCache {
 public:
-  // A file that is missing, damaged or another driver's is ignored: it is written anew.
+  // A file that is missing, damaged or another driver's is ignored: it is written again.
   explicit PipelineCache(Context& context);
   // Saves what was added. Where that is not possible the next run compiles again, nothing more.
   ~PipelineCache();
