@@ -26,12 +26,12 @@ def scenes():
         for i, alpha in enumerate((0.0, 0.15, 0.5))
     ]
     # Bodies of two materials, and a solid whose wall is its container's.
-    globe = ball([0, 0, 0], 0.9, rings)
-    two = [(half(globe, True), glass(0.0)), (half(globe, False), glass(0.2) | {"joins": True})]
+    outer = ball([0, 0, 0], 0.9, rings)
+    two = [(half(outer, True), glass(0.0)), (half(outer, False), glass(0.2) | {"joins": True})]
     shell = glass(0.0)
     inner = ball([0, 0, 0], 0.7, rings)
     liquid = [
-        (globe, shell),
+        (outer, shell),
         (turned(inner), shell | {"joins": True, "bsdf": None}),
         (inner, glass(0.0, ior=1.33, outside=1.5)),
     ]
