@@ -19,6 +19,7 @@ PLAIN = ["--method", "standard", "--env", "0.5,0.6,0.7"] # fewer shaders, and no
 PROGRAM, BACKEND = "", ""
 RECENT_SECOND = 46 # below the list of recent files, its second entry
 ALPHA_ROW = 199  # of the slider, in a window with the panel as it begins
+SECOND_ROW, CAMERA_ROW = 380, 428 # of a list and a header, there
 
 
 def moving(path, half=1.0, cameras=0):
@@ -192,6 +193,24 @@ def a_second_method_stands_in_the_truths_place():
         left = lambda rows: [row[5:150] for row in rows[60:180]]
         assert left(both) == left(first) and right(both) != right(first), "the second is not beside the first"
         assert v.close() == 0, v.errors()
+
+
+def the_files_cameras_and_a_second_method_are_chosen_in_the_panel():
+    with Desk() as desk:
+        scene = desk.path / "square.gltf"
+        moving(scene, cameras=2)
+        with viewer(desk, scene=str(scene), size=(960, 600)).open() as v:
+            def choose(row, entry):
+                v.click(720, row)
+                v.click(720, row + 25 + 18 * entry)
+            v.click(720, CAMERA_ROW)
+            choose(CAMERA_ROW + 24, 2) # after the first of the file and number 0
+            v.copied_when(lambda line: option(line, "--camera") == ["1"], "the second camera was not chosen")
+            choose(SECOND_ROW, 1) # after the truth
+            white = (255, 255, 255)
+            v.wait_for(lambda: any(desk.screen()[20][x] == desk.screen()[500][x] == white for x in range(305, 316)),
+                       "the bar between two methods")
+            assert v.close() == 0, v.errors()
 
 
 def a_hundred_sizes_are_survived():
