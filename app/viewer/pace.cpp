@@ -18,6 +18,7 @@ void Pace::want(double frames_per_second, double others_ms) {
 
 void Pace::begin(double full_ms) {
   if (begun_) return;
+  lowest_ms_ = full_ms * std::exp2(-most_steps); // at least
   // To the next step, so that the first frame is in time.
   step_ = std::clamp(static_cast<int>(std::ceil(std::log2(full_ms / wanted_ms_))), 0, most_steps);
 }

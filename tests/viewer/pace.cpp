@@ -61,6 +61,15 @@ TEST(pace, begins_in_time_when_it_knows_the_full_size) {
   }
 }
 
+TEST(pace, knows_before_the_first_frame_what_is_far_out_of_reach) {
+  for (const double full : {1000.0, 6000.0}) { // 16 and 94 ms at an eighth
+    Pace pace;
+    pace.want(30.0);
+    pace.begin(full);
+    EXPECT_EQ(pace.is_out_of_reach(), full == 6000.0);
+  }
+}
+
 TEST(pace, knows_that_the_rate_is_out_of_reach) {
   Pace pace;
   pace.want(30.0);
