@@ -141,9 +141,9 @@ std::vector<const MapKind*> maps_of(const scene::Scene& scene, const Material& m
       continue;
     if (is_refractive(m) && is_of_a_layer(map.feature)) {
       // Glass fills the 16 textures of a stage that every device has with tables and pictures.
-      note("material '" + m.name
-           + "' is glass that is brushed or under a coat or a film: by its factors, the maps of "
-             "these are not drawn");
+      note((m.name.empty() ? "an unnamed material" : "material '" + m.name + "'")
+           + std::string(" is glass that is brushed or under a coat or a film: by its factors, the "
+                         "maps of these are not drawn"));
       continue;
     }
     maps.push_back(&map);

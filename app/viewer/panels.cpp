@@ -40,9 +40,10 @@ void draw_scene_panel(Session& session) {
     ImGui::EndCombo();
   }
   if (!session.scene) return;
-  ImGui::TextWrapped("%s: %zu objects, %zu triangles",
-                     fs::path(session.view.scene).filename().c_str(),
-                     session.scene->instances.size(), session.scene->triangle_count());
+  const std::size_t objects = session.scene->instances.size();
+  ImGui::TextWrapped("%s: %zu object%s, %zu triangles",
+                     fs::path(session.view.scene).filename().c_str(), objects,
+                     objects == 1 ? "" : "s", session.scene->triangle_count());
 }
 
 void draw_camera_panel(Session& session) {

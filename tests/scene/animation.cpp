@@ -157,6 +157,13 @@ TEST(animation, that_is_not_sound_is_refused_by_its_place_and_only_where_it_is_p
         m.file.json["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
       },
       {"nodes[0].matrix", "moves it"});
+  broken(
+      [](Moving& m, auto& a) {
+        a["channels"][0]["target"]["path"] = "rotation";
+        a["samplers"][0]["output"] =
+            m.file.template accessor<float>({0, 0, 0, 1, 0, 0, 0, 0}, "VEC4");
+      },
+      {"samplers[0].output", "key 1", "length 0"});
 }
 
 TEST(animation, of_what_is_not_known_is_passed_over) {

@@ -126,6 +126,17 @@ std::vector<double> value_at(const Keys& keys, double time, bool is_rotation) {
   return result;
 }
 
+// A rotation of length 0 is none: refused whatever the time, as its neighbours in time are turned towards it.
+void check_rotations(const Document& document, const Keys& keys, const std::string& place) {
+  const bool cubic = keys.interpolation == Keys::Interpolation::cubic;
+  for (std::size_t key = 0; key < keys.times.size(); ++key) {
+    const float* const q = keys.values.data() + (cubic ? 3 * key + 1 : key) * keys.width;
+    if (std::all_of(q, q + keys.width, [](float x) { return x == 0.0f; }))
+      fail(document.name(), place + ".output",
+           fmt::format("key {} is a rotation of length 0", key));
+  }
+}
+
 void set(Document& document, int index, const std::string& path, std::vector<double> value) {
   tinygltf::Node& node = document.node(index);
   if (path == "weights") {
@@ -172,6 +183,8 @@ Posed pose_at(Document& document, const Instant& instant) {
     const auto sampler = channel["sampler"].get<std::size_t>();
     const Keys keys = read_keys(document, animation["samplers"][sampler], width,
                                 fmt::format("{}.samplers[{}]", place, sampler));
+    if (path == "rotation")
+      check_rotations(document, keys, fmt::format("{}.samplers[{}]", place, sampler));
     posed.end = std::max(posed.end, keys.times.back());
     if (target.contains("node")) // without one it is for extensions
       set(document, target["node"].get<int>(), path,
