@@ -24,6 +24,17 @@ std::optional<fs::path> recent_file() {
   return directory ? std::optional(*directory / "recent-scenes") : std::nullopt;
 }
 
+// Most recent first; none where there is no such file.
+std::vector<std::string> recent_scenes() {
+  std::vector<std::string> scenes;
+  if (const auto file = recent_file()) {
+    std::ifstream in(*file);
+    for (std::string line; std::getline(in, line) && scenes.size() < most_recent;)
+      if (!line.empty()) scenes.push_back(line);
+  }
+  return scenes;
+}
+
 } // namespace
 
 void Application::open(const std::string& path) {
@@ -46,11 +57,7 @@ void Application::open(const std::string& path) {
 }
 
 void Application::open_first() {
-  if (const auto file = recent_file()) {
-    std::ifstream in(*file);
-    for (std::string line; std::getline(in, line) && session_.recent.size() < most_recent;)
-      if (!line.empty()) session_.recent.push_back(line);
-  }
+  session_.recent = recent_scenes();
   loading_.start({.view = session_.view, .scene = true, .current = nullptr});
 }
 
@@ -192,6 +199,7 @@ void Application::pose() {
 void Application::remember(const std::string& scene) {
   std::error_code none;
   const std::string path = fs::absolute(scene, none).string();
+  if (recent_file()) session_.recent = recent_scenes(); // with what other windows have opened since
   std::erase(session_.recent, path);
   session_.recent.insert(session_.recent.begin(), path);
   session_.recent.resize(std::min(session_.recent.size(), most_recent));

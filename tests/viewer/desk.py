@@ -68,10 +68,16 @@ class Screen:
 
 
 class Viewer:
-    def __init__(self, desk, program, arguments, size=(960, 600), home=None, layers=None):
+    def __init__(self, desk, program, arguments, size=(960, 600), home=None, layers=None, own_lists=False):
         self.desk, self.program = desk, program
         # Not the user's caches, but kept: compiled shaders serve the next test.
         cache = Path(program).parent / "tests/viewer/cache"
+        if own_lists: # which tests that run beside this one do not write to
+            shaders = cache / "groundglass/shaders"
+            shaders.mkdir(parents=True, exist_ok=True)
+            cache = desk.path / "cache"
+            (cache / "groundglass").mkdir(parents=True)
+            (cache / "groundglass/shaders").symlink_to(shaders)
         self.environment = dict(os.environ, XDG_CACHE_HOME=str(cache))
         environment = dict(self.environment, DISPLAY=desk.name)
         if "VIEWER_PRELOAD" in environment: # of the viewer alone, not of this

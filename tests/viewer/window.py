@@ -392,7 +392,7 @@ def a_typed_path_is_opened_and_a_recent_one_chosen():
     with Desk() as desk:
         moving(desk.path / "a.gltf")
         moving(desk.path / "b.gltf")
-        with viewer(desk, scene=str(desk.path / "b.gltf"), size=(500, 400)).open() as v:
+        with viewer(desk, scene=str(desk.path / "b.gltf"), size=(500, 400), own_lists=True).open() as v:
             v.click(240, 42)
             for key in ("a", "period", "g", "l", "t", "f", "Return"):
                 v.key(key)
