@@ -1,7 +1,6 @@
 #include "needs/regions.h"
 
 #include <algorithm>
-#include <string_view>
 
 namespace gg::needs {
 namespace {
@@ -14,10 +13,8 @@ namespace {
 constexpr double fine = 16.0;
 
 // A texel keeps what these say (stages/packed_maps.glsl).
-bool is_kept(const Draw& draw, const Map& map) {
-  const auto kind = std::ranges::find(map_kinds, std::string_view(map.name),
-                                      [](const MapKind& k) { return std::string_view(k.name); });
-  switch (kind->feature) {
+bool is_kept(const Draw& draw, Feature map) {
+  switch (map) {
   case Feature::base_color_map:
   case Feature::metallic_roughness_map:
   case Feature::occlusion_map:
@@ -38,7 +35,9 @@ bool can_be_by_pixel(const Draw& draw) {
                              && value_of(draw.key, Feature::vertex_color) == 0;
   return draw.role == Role::opaque && !masks_nothing
          && value_of(draw.key, Feature::shading) != static_cast<int>(Shading::unlit)
-         && std::ranges::all_of(draw.maps, [&](const Map& map) { return is_kept(draw, map); });
+         && std::ranges::all_of(map_kinds, [&](const MapKind& map) {
+              return value_of(draw.key, map.feature) == 0 || is_kept(draw, map.feature);
+            });
 }
 
 // Pixels of the picture that the box covers.

@@ -18,8 +18,12 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <functional>
+#include <string>
 
 namespace gg::viewer {
+
+// The method that moves the camera where the session's is too slow.
+inline const std::string standard_method = "standard";
 
 class Application {
 public:

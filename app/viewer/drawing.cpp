@@ -57,8 +57,7 @@ bool Application::is_by_standard() const {
 }
 
 const std::string& Application::quick_method() const {
-  static const std::string standard = "standard";
-  return is_by_standard() ? standard : session_.view.method;
+  return is_by_standard() ? standard_method : session_.view.method;
 }
 
 void Application::forget_speed() {

@@ -134,6 +134,7 @@ void Application::plan_warmup() {
   struct Quick {
     double scale;
     std::string method;
+    bool now; // the one that a turn begins with
   };
   const auto add = [&](const scene::Camera& camera, const Quick& quick, bool draw,
                        std::shared_ptr<const Picture::Materials> materials = nullptr) {
@@ -145,12 +146,11 @@ void Application::plan_warmup() {
   const auto add_sizes = [&](const Pace& pace, const std::string& method, double third) {
     constexpr double beside = std::numbers::sqrt2;
     for (const double factor : {1.0, 1.0 / beside, third})
-      quick.push_back({std::clamp(factor * pace.scale(), 0.125, 1.0), method});
+      quick.push_back({std::clamp(factor * pace.scale(), 0.125, 1.0), method, factor == 1.0});
   };
   add_sizes(pace_, session_.view.method, std::numbers::sqrt2);
-  if (session_.standard_in_motion && session_.view.method != "standard")
-    add_sizes(standard_pace_, "standard",
-              0.5); // which is begun with before it is known how slow it is
+  if (session_.standard_in_motion && session_.view.method != standard_method)
+    add_sizes(standard_pace_, standard_method, 0.5); // begun with before its speed is known
   for (const Quick& each : quick)
     add(session_.camera, each, true);
   for (const Picture::Materials& materials : materials_to_come())
@@ -163,8 +163,8 @@ void Application::plan_warmup() {
       view.place = session_.view.place.value_or(place_of(session_.camera, session_.scene->bounds));
       orbit(*view.place, step * static_cast<float>(i), pitch);
       const scene::Camera camera = commands_.camera(view, *session_.scene, width_, height_);
-      for (std::size_t k = 0; k < quick.size(); ++k) // other targets, where other things are seen
-        add(camera, quick[k], pitch == 0.0f && k % 3 == 0);
+      for (const Quick& each : quick) // other targets, where other things are seen
+        add(camera, each, pitch == 0.0f && each.now);
     }
   warmup_->plan(std::move(frames));
 }

@@ -149,6 +149,18 @@ TEST(lenient, many_entries_of_one_kind_take_one_note) {
   EXPECT_EQ(std::ranges::count(loaded.said, '\n'), 1) << loaded.said;
 }
 
+TEST(lenient, notes_of_what_nests_deep_are_as_few_as_they_are_short) {
+  GltfFile file = glass();
+  json nested = json::object();
+  for (int depth = 0; depth < 50; ++depth)
+    nested = {{"within", nested}, {"none", nullptr}};
+  file.json["extensions"]["EXT_nested"] = nested;
+  const Loaded loaded = load(file);
+  EXPECT_TRUE(says(loaded, "more like it"));
+  constexpr std::ptrdiff_t levels_of_a_note = 200 / 7; // "within." is 7 of the 200 letters
+  EXPECT_LE(std::ranges::count(loaded.said, '\n'), levels_of_a_note + 3) << loaded.said;
+}
+
 TEST(lenient, a_near_plane_at_zero_is_set_by_what_is_seen) {
   GltfFile file;
   file.triangle();

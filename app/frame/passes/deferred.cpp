@@ -3,8 +3,6 @@
 #include "frame/regions.h"
 #include "needs/regions.h"
 
-#include <algorithm>
-
 namespace gg::frame {
 namespace {
 

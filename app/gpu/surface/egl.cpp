@@ -19,7 +19,7 @@ constexpr const char* remedy = "Install libegl1 and libegl-mesa0 (or the GPU's o
                                "choose --surface osmesa.";
 
 struct EglFunctions {
-  Library library{std::vector<std::string>{"libEGL.so.1"}};
+  Library library{{"libEGL.so.1"}};
   PFNEGLGETPROCADDRESSPROC get_proc_address = nullptr;
   PFNEGLQUERYSTRINGPROC query_string = nullptr;
   PFNEGLINITIALIZEPROC initialize = nullptr;

@@ -11,8 +11,7 @@ namespace gg::gpu::surface {
 namespace {
 
 struct OsmesaFunctions {
-  Library library{std::vector<std::string>{"libOSMesa.so.8",
-                                           "libOSMesa.so.6"}}; // the latter is a name for the same
+  Library library{{"libOSMesa.so.8", "libOSMesa.so.6"}}; // the latter is a name for the same
   decltype(&OSMesaCreateContextAttribs) create = nullptr;
   decltype(&OSMesaDestroyContext) destroy = nullptr;
   decltype(&OSMesaMakeCurrent) make_current = nullptr;

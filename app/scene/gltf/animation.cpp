@@ -181,10 +181,9 @@ Posed pose_at(Document& document, const Instant& instant) {
       continue;
     }
     const auto sampler = channel["sampler"].get<std::size_t>();
-    const Keys keys = read_keys(document, animation["samplers"][sampler], width,
-                                fmt::format("{}.samplers[{}]", place, sampler));
-    if (path == "rotation")
-      check_rotations(document, keys, fmt::format("{}.samplers[{}]", place, sampler));
+    const std::string sampler_place = fmt::format("{}.samplers[{}]", place, sampler);
+    const Keys keys = read_keys(document, animation["samplers"][sampler], width, sampler_place);
+    if (path == "rotation") check_rotations(document, keys, sampler_place);
     posed.end = std::max(posed.end, keys.times.back());
     if (target.contains("node")) // without one it is for extensions
       set(document, target["node"].get<int>(), path,

@@ -43,8 +43,11 @@ class Notes {
 public:
   explicit Notes(const std::string& file) : file_(file) {}
 
-  // `place` is printed whole for the first entry; places that differ by their indices alone are of one kind.
-  void add(const std::string& place, const std::string& what) {
+  // Places that differ by their indices alone are of one kind, and so are those that are alike as far as they are printed: keys
+  // may be long.
+  void add(const std::string& whole_place, const std::string& what) {
+    constexpr std::size_t longest_place = 200;
+    const std::string place = whole_place.substr(0, longest_place);
     std::string kind = what + ' ';
     bool in_brackets = false;
     for (const char c : place) {
@@ -58,12 +61,10 @@ public:
   }
 
   void print() const {
-    constexpr std::size_t longest_place = 200; // a file may nest as deep as it likes
     for (const Fault& fault : faults_) {
       const std::string more =
           fault.count > 1 ? fmt::format(" (and {} more like it)", fault.count - 1) : std::string();
-      note(fmt::format("{}: {} {}{}", file_, fault.place.substr(0, longest_place), fault.what,
-                       more));
+      note(fmt::format("{}: {} {}{}", file_, fault.place, fault.what, more));
     }
   }
 
