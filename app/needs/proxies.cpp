@@ -202,9 +202,10 @@ std::vector<std::size_t> bodies_of(const std::vector<Part>& parts,
     return i;
   };
   for (std::size_t i = 0; i < parts.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
+    for (std::size_t j = i; j-- > 0;) {
       const bool same = parts[i].instance == parts[j].instance;
-      if (flat_part[i] || flat_part[j] || (!same && parts.size() > most_merged)) continue;
+      if (!same && parts.size() > most_merged) break; // those of an instance stand together
+      if (flat_part[i] || flat_part[j]) continue;
       if (overlap(parts[i].bounds, parts[j].bounds) > (same ? in_part : within)) {
         const auto [low, high] = std::minmax(root(i), root(j));
         first[high] = low;
@@ -270,13 +271,13 @@ Proxies proxies_of(const scene::Scene& scene) {
     flat_part.push_back(!rectangles.back().empty());
   }
   const std::vector<std::size_t> first = bodies_of(parts, flat_part);
+  std::vector<std::vector<const Part*>> parts_from(parts.size()); // of a body, by its first part
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts_from[first[i]].push_back(&parts[i]);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     proxies.bodies[{parts[i].instance, parts[i].index}] = first[i];
     if (first[i] != i) continue;
-    std::vector<const Part*> own;
-    for (std::size_t j = i; j < parts.size(); ++j)
-      if (first[j] == i) own.push_back(&parts[j]);
-    for (Proxy& proxy : flat_part[i] ? rectangles[i] : spheres_of(scene, own)) {
+    for (Proxy& proxy : flat_part[i] ? rectangles[i] : spheres_of(scene, parts_from[i])) {
       proxy.body = i;
       proxies.all.push_back(proxy);
     }
