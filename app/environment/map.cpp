@@ -18,19 +18,25 @@ bool is_radiance(float v) {
 } // namespace
 
 std::size_t mend(std::vector<float>& rgb, int width, int height) {
-  const std::vector<float> given =
-      std::ranges::all_of(rgb, is_radiance) ? std::vector<float>() : rgb;
-  if (given.empty()) return 0;
+  if (std::ranges::all_of(rgb, is_radiance)) return 0;
   const auto index = [&](int x, int y, int c) {
     return static_cast<std::size_t>(
         (static_cast<std::ptrdiff_t>(y) * width + (x + width) % width) * 3 + c);
   };
+  // Rows as they were given: the one above and this one, which are changed, and the one below, which is not yet.
+  std::vector<float> above, here;
   std::size_t mended = 0;
-  for (int y = 0; y < height; ++y)
+  for (int y = 0; y < height; ++y) {
+    above.swap(here);
+    here.assign(rgb.begin() + static_cast<std::ptrdiff_t>(index(0, y, 0)),
+                rgb.begin() + static_cast<std::ptrdiff_t>(index(0, y, 0)) + 3 * width);
+    const auto given = [&](int x, int ny, int c) {
+      return ny > y ? rgb[index(x, ny, c)] : (ny < y ? above : here)[index(x, 0, c)];
+    };
     for (int x = 0; x < width; ++x) {
       bool whole = true;
       for (int c = 0; c < 3; ++c) {
-        const float v = given[index(x, y, c)];
+        const float v = given(x, y, c);
         if (is_radiance(v)) continue;
         whole = false;
         double sum = 0.0;
@@ -39,7 +45,7 @@ std::size_t mend(std::vector<float>& rgb, int width, int height) {
           for (int k = 0; k < 9; ++k) {
             const int nx = x + k % 3 - 1, ny = y + k / 3 - 1;
             if (ny < 0 || ny >= height) continue;
-            const float neighbour = given[index(nx, ny, c)];
+            const float neighbour = given(nx, ny, c);
             if (!is_radiance(neighbour)) continue;
             sum += static_cast<double>(neighbour);
             ++count;
@@ -48,6 +54,7 @@ std::size_t mend(std::vector<float>& rgb, int width, int height) {
       }
       if (!whole) ++mended;
     }
+  }
   return mended;
 }
 
@@ -56,7 +63,7 @@ bool is_map_file(const std::filesystem::path& path) {
 }
 
 Map load(const std::filesystem::path& path) {
-  const image::Image picture = image::read(path);
+  image::Image picture = image::read(path);
   const bool single = picture.width == 1 && picture.height == 1;
   // Programs that scale or crop a panorama may miss 2:1 by a pixel or two; what is meant is clear, and a hundredth of the
   // height moves nothing by more than 1.8 degrees.
@@ -73,11 +80,13 @@ Map load(const std::filesystem::path& path) {
   Map map{path.filename().string(), picture.width, picture.height, {}};
   const std::size_t pixels =
       static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
-  map.rgb.reserve(3 * pixels);
-  const auto channels = static_cast<std::size_t>(picture.channels);
-  for (std::size_t i = 0; i < pixels; ++i)
+  // In place: alpha is left out, and a large panorama is in memory once.
+  map.rgb = std::move(picture.values);
+  const auto channels = static_cast<std::size_t>(picture.channels); // 3 or 4
+  for (std::size_t i = 1; i < pixels && channels != 3; ++i)
     for (std::size_t c = 0; c < 3; ++c)
-      map.rgb.push_back(picture.values[i * channels + std::min(c, channels - 1)]);
+      map.rgb[3 * i + c] = map.rgb[channels * i + c];
+  map.rgb.resize(3 * pixels);
   if (const std::size_t mended = mend(map.rgb, map.width, map.height))
     note(path.string() + ": " + std::to_string(mended) + " of " + std::to_string(pixels)
          + " pixels were not finite or were negative and have been mended (the mean of their "

@@ -41,22 +41,42 @@ void check_size(const std::string& where, long long width, long long height) {
 
 } // namespace formats
 
-Image8 decode(const std::byte* data, std::size_t size, const std::string& name) {
-  const formats::Bytes bytes(data, size);
+namespace {
+
+template <class Result>
+using Reader = Result (*)(formats::Bytes, const std::string&);
+
+// By the format's own function.
+template <class Result>
+Result read_by(Reader<Result> png, Reader<Result> jpeg, Reader<Result> webp, Reader<Result> ktx2,
+               formats::Bytes bytes, const std::string& name) {
   switch (formats::recognise(bytes)) {
   case formats::Format::png:
-    return formats::decode_png(bytes, name);
+    return png(bytes, name);
   case formats::Format::jpeg:
-    return formats::decode_jpeg(bytes, name);
+    return jpeg(bytes, name);
   case formats::Format::webp:
-    return formats::decode_webp(bytes, name);
+    return webp(bytes, name);
   case formats::Format::ktx2:
-    return formats::decode_ktx2(bytes, name);
+    return ktx2(bytes, name);
   default:
     break;
   }
-  throw Error(ExitCode::input, name, size == 0 ? "is empty" : "is not a PNG, JPEG or WebP picture",
+  throw Error(ExitCode::input, name,
+              bytes.empty() ? "is empty" : "is not a PNG, JPEG or WebP picture",
               "Convert it to one of these.");
+}
+
+} // namespace
+
+Image8 decode(const std::byte* data, std::size_t size, const std::string& name) {
+  return read_by<Image8>(formats::decode_png, formats::decode_jpeg, formats::decode_webp,
+                         formats::decode_ktx2, {data, size}, name);
+}
+
+Size size_of(const std::byte* data, std::size_t size, const std::string& name) {
+  return read_by<Size>(formats::size_of_png, formats::size_of_jpeg, formats::size_of_webp,
+                       formats::size_of_ktx2, {data, size}, name);
 }
 
 } // namespace gg::image

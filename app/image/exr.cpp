@@ -110,70 +110,148 @@ Imath::Box2i shown_window(const Imf::Header& header, const std::string& name) {
   return display;
 }
 
-std::vector<float> moved(const std::vector<float>& plane, const Imath::Box2i& from,
-                         const Imath::Box2i& to) {
-  const auto width = [](const Imath::Box2i& box) {
-    return static_cast<std::ptrdiff_t>(box.max.x) - box.min.x + 1;
+// `values`: `channels` of each pixel of `from`, of which those in `to` are kept; 0 elsewhere.
+std::vector<float> moved(const std::vector<float>& values, std::ptrdiff_t channels,
+                         const Imath::Box2i& from, const Imath::Box2i& to) {
+  const auto row = [&](const Imath::Box2i& box) {
+    return channels * (static_cast<std::ptrdiff_t>(box.max.x) - box.min.x + 1);
   };
   const std::ptrdiff_t rows = static_cast<std::ptrdiff_t>(to.max.y) - to.min.y + 1;
-  std::vector<float> result(static_cast<std::size_t>(width(to) * rows), 0.0f);
+  std::vector<float> result(static_cast<std::size_t>(row(to) * rows), 0.0f);
   const int left = std::max(from.min.x, to.min.x), right = std::min(from.max.x, to.max.x);
   for (int y = std::max(from.min.y, to.min.y); y <= std::min(from.max.y, to.max.y); ++y)
-    std::copy_n(plane.begin() + (y - from.min.y) * width(from) + (left - from.min.x),
-                right - left + 1, result.begin() + (y - to.min.y) * width(to) + (left - to.min.x));
+    std::copy_n(values.begin() + (y - from.min.y) * row(from) + channels * (left - from.min.x),
+                channels * (right - left + 1),
+                result.begin() + (y - to.min.y) * row(to) + channels * (left - to.min.x));
   return result;
 }
 
-Exr read_file(Bytes bytes, const std::string& name) {
-  MemoryInput stream(bytes, name);
-  Imf::InputFile file(stream, 0);
-  const Imf::Header& header = file.header();
-  const Imath::Box2i window = header.dataWindow();
-  check_size(name, static_cast<long long>(window.max.x) - window.min.x + 1,
-             static_cast<long long>(window.max.y) - window.min.y + 1);
-  note_primaries(header, name);
-
-  const Imath::Box2i shown = shown_window(header, name);
-  Exr exr;
-  exr.width = shown.max.x - shown.min.x + 1;
-  exr.height = shown.max.y - shown.min.y + 1;
-  exr.attributes = attributes_of(header);
-  const std::size_t row = static_cast<std::size_t>(window.max.x - window.min.x + 1);
-  const std::size_t pixels = row * static_cast<std::size_t>(window.max.y - window.min.y + 1);
-  const std::size_t largest =
-      std::max(pixels, static_cast<std::size_t>(exr.width) * static_cast<std::size_t>(exr.height));
-  check_ratio(header, pixels, bytes.size(), name);
-  Imf::FrameBuffer frame;
-  bool all_half = true;
-  int count = 0;
-  for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
-    const Imf::Channel& channel = it.channel();
-    if (channel.xSampling != 1 || channel.ySampling != 1)
-      throw Error(ExitCode::input, name + ", channel " + it.name(),
-                  "holds one value for several pixels (luminance and chroma)",
-                  "Save it with R, G and B channels.");
-    if (++count > max_channels || static_cast<long long>(largest) * count > max_values)
-      throw Error(ExitCode::input, name, "has more channels than are accepted",
-                  "Save it with the channels that are needed only.");
-    if (std::string_view(it.name()) != "id") all_half &= channel.type == Imf::HALF;
-    std::vector<float>& plane = exr.channels[it.name()];
-    plane.resize(pixels);
-    frame.insert(it.name(), Imf::Slice::Make(Imf::FLOAT, plane.data(), window, sizeof(float),
-                                             sizeof(float) * row));
+// Which channels are colour: those of the unnamed layer or else of the only one. Layers are the parts of names before the
+// last point: "ViewLayer.Combined.R".
+std::vector<std::string> colour_channels(const std::set<std::string>& names,
+                                         const std::string& file) {
+  std::set<std::string> layers;
+  std::string listed;
+  for (const std::string& channel : names) {
+    listed += (listed.empty() ? "" : ", ") + channel;
+    const std::size_t point = channel.rfind('.');
+    const std::string layer = point == std::string::npos ? "" : channel.substr(0, point + 1);
+    if (names.contains(layer + "R") && names.contains(layer + "G") && names.contains(layer + "B"))
+      layers.insert(layer);
   }
-  if (count == 0) throw Error(ExitCode::input, name, "has no channels", "Save it again with some.");
-  exr.half = all_half;
-  file.setFrameBuffer(frame);
-  file.readPixels(window.min.y, window.max.y);
-  if (shown != window)
+  if (layers.contains("") || layers.size() == 1) {
+    const std::string layer = layers.contains("") ? "" : *layers.begin();
+    std::vector<std::string> colours{layer + "R", layer + "G", layer + "B"};
+    if (names.contains(layer + "A")) colours.push_back(layer + "A");
+    return colours;
+  }
+  if (layers.empty() && names.contains("Y")) return {"Y"};
+  throw Error(ExitCode::input, file,
+              (layers.empty() ? "has no colour: its channels are "
+                              : "has several layers of colour and none without a name: ")
+                  + listed,
+              "Save it with channels R, G and B.");
+}
+
+// A file whose header is read and accepted. No memory is taken for its pixels yet.
+struct Opened {
+  MemoryInput stream;
+  Imf::InputFile file;
+  const Imf::Header& header;
+  Imath::Box2i window, shown;      // of the data; of the picture
+  std::size_t row = 0, pixels = 0; // of the data
+  std::set<std::string> channels;
+  bool half = true; // all but "id"
+
+  Opened(Bytes bytes, const std::string& name)
+      : stream(bytes, name), file(stream, 0), header(file.header()), window(header.dataWindow()) {
+    check_size(name, static_cast<long long>(window.max.x) - window.min.x + 1,
+               static_cast<long long>(window.max.y) - window.min.y + 1);
+    note_primaries(header, name);
+    shown = shown_window(header, name);
+    row = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+    pixels = row * static_cast<std::size_t>(window.max.y - window.min.y + 1);
+    check_ratio(header, pixels, bytes.size(), name);
+    // Where the windows differ, both pictures are held while one becomes the other.
+    const std::size_t held = pixels
+                             + (shown == window ? 0
+                                                : static_cast<std::size_t>(width())
+                                                      * static_cast<std::size_t>(height()));
+    for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
+      const Imf::Channel& channel = it.channel();
+      if (channel.xSampling != 1 || channel.ySampling != 1)
+        throw Error(ExitCode::input, name + ", channel " + it.name(),
+                    "holds one value for several pixels (luminance and chroma)",
+                    "Save it with R, G and B channels.");
+      channels.insert(it.name());
+      if (channels.size() > max_channels
+          || static_cast<long long>(held * channels.size()) > max_values)
+        throw Error(ExitCode::input, name, "has more channels than are accepted of its size",
+                    "Save it with the channels that are needed only.");
+      if (std::string_view(it.name()) != "id") half &= channel.type == Imf::HALF;
+    }
+    if (channels.empty())
+      throw Error(ExitCode::input, name, "has no channels", "Save it again with some.");
+  }
+  int width() const { return shown.max.x - shown.min.x + 1; }
+  int height() const { return shown.max.y - shown.min.y + 1; }
+
+  // Where a channel goes: to every `step`-th value from `first` on.
+  void put(Imf::FrameBuffer& frame, const std::string& channel, float* first,
+           std::size_t step) const {
+    frame.insert(channel, Imf::Slice::Make(Imf::FLOAT, first, window, sizeof(float) * step,
+                                           sizeof(float) * step * row));
+  }
+  void read(const Imf::FrameBuffer& frame) {
+    file.setFrameBuffer(frame);
+    file.readPixels(window.min.y, window.max.y);
+  }
+};
+
+Exr read_planes(Bytes bytes, const std::string& name) {
+  Opened opened(bytes, name);
+  Exr exr{.width = opened.width(),
+          .height = opened.height(),
+          .channels = {},
+          .attributes = attributes_of(opened.header),
+          .half = opened.half};
+  Imf::FrameBuffer frame;
+  for (const std::string& channel : opened.channels) {
+    std::vector<float>& plane = exr.channels[channel];
+    plane.resize(opened.pixels);
+    opened.put(frame, channel, plane.data(), 1);
+  }
+  opened.read(frame);
+  if (opened.shown != opened.window)
     for (auto& [channel, plane] : exr.channels)
-      plane = moved(plane, window, shown);
+      plane = moved(plane, 1, opened.window, opened.shown);
   return exr;
 }
 
-} // namespace
+// Straight into the picture: a large panorama is in memory once.
+Image read_colour(Bytes bytes, const std::string& name) {
+  Opened opened(bytes, name);
+  const std::vector<std::string> colours = colour_channels(opened.channels, name);
+  const std::size_t channels = std::max(colours.size(), std::size_t{3});
+  Image image;
+  image.width = opened.width(), image.height = opened.height();
+  image.channels = static_cast<int>(channels);
+  image.values.resize(opened.pixels * channels);
+  Imf::FrameBuffer frame;
+  for (std::size_t c = 0; c < colours.size(); ++c)
+    opened.put(frame, colours[c], &image.values[c], channels);
+  opened.read(frame);
+  if (colours.size() == 1) // grey
+    for (std::size_t i = 0; i < image.values.size(); i += channels)
+      image.values[i + 1] = image.values[i + 2] = image.values[i];
+  if (opened.shown != opened.window)
+    image.values = moved(image.values, image.channels, opened.window, opened.shown);
+  return image;
+}
 
-Exr read_exr(Bytes bytes, const std::string& name) {
+// What the library throws, in our words.
+template <class Read>
+auto read_by(const Read& read, Bytes bytes, const std::string& name) {
   if (recognise(bytes) != Format::exr)
     throw Error(ExitCode::input, name, "is not an OpenEXR picture", "Name an .exr file.");
   // The library takes memory for line tables and tiles as soon as it has read the header.
@@ -184,7 +262,7 @@ Exr read_exr(Bytes bytes, const std::string& name) {
   }();
   (void)limited;
   try {
-    return read_file(bytes, name);
+    return read(bytes, name);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
@@ -200,39 +278,28 @@ Exr read_exr(Bytes bytes, const std::string& name) {
   }
 }
 
+} // namespace
+
+Exr read_exr(Bytes bytes, const std::string& name) {
+  return read_by(read_planes, bytes, name);
+}
+
+Image read_exr_colour(Bytes bytes, const std::string& name) {
+  return read_by(read_colour, bytes, name);
+}
+
 Image colour_of(const Exr& exr, const std::string& name) {
-  // Layers are the parts of names before the last point: "ViewLayer.Combined.R".
-  std::set<std::string> layers;
-  std::string listed;
-  for (const auto& [channel, plane] : exr.channels) {
-    listed += (listed.empty() ? "" : ", ") + channel;
-    const std::size_t point = channel.rfind('.');
-    const std::string layer = point == std::string::npos ? "" : channel.substr(0, point + 1);
-    if (exr.channels.contains(layer + "R") && exr.channels.contains(layer + "G")
-        && exr.channels.contains(layer + "B"))
-      layers.insert(layer);
+  std::set<std::string> names;
+  for (const auto& [channel, plane] : exr.channels)
+    names.insert(channel);
+  const std::vector<std::string> colours = colour_channels(names, name);
+  Image image(exr.width, exr.height, std::max(static_cast<int>(colours.size()), 3));
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (std::size_t c = 0; c < channels; ++c) {
+    const std::vector<float>& plane = exr.channels.at(colours[std::min(c, colours.size() - 1)]);
+    for (std::size_t i = 0; i < plane.size(); ++i)
+      image.values[i * channels + c] = plane[i];
   }
-  std::vector<const std::vector<float>*> planes;
-  if (layers.contains("") || layers.size() == 1) {
-    const std::string layer = layers.contains("") ? "" : *layers.begin();
-    for (const char* const part : {"R", "G", "B", "A"})
-      if (const auto it = exr.channels.find(layer + part); it != exr.channels.end())
-        planes.push_back(&it->second);
-  } else if (const auto grey = exr.channels.find("Y");
-             layers.empty() && grey != exr.channels.end()) {
-    planes.assign(3, &grey->second);
-  } else {
-    throw Error(ExitCode::input, name,
-                (layers.empty() ? "has no colour: its channels are "
-                                : "has several layers of colour and none without a name: ")
-                    + listed,
-                "Save it with channels R, G and B.");
-  }
-  Image image(exr.width, exr.height, static_cast<int>(planes.size()));
-  const std::size_t channels = planes.size();
-  for (std::size_t c = 0; c < channels; ++c)
-    for (std::size_t i = 0; i < planes[c]->size(); ++i)
-      image.values[i * channels + c] = (*planes[c])[i];
   return image;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "image/size.h"
 
 #include <cstddef>
 #include <span>
@@ -21,7 +22,9 @@ Format recognise(Bytes bytes);
 Image read_hdr(Bytes bytes, const std::string& name);
 Image read_pfm(Bytes bytes, const std::string& name);
 Exr read_exr(Bytes bytes, const std::string& name);
-// The colour of an EXR: R, G, B (and A), or Y alone; of the unnamed layer or else of the only one.
+// The colour of an EXR: R, G, B (and A), or Y alone; of the unnamed layer or else of the only one. Straight from the file, which
+// takes no more memory than the picture, or of all its channels.
+Image read_exr_colour(Bytes bytes, const std::string& name);
 Image colour_of(const Exr& exr, const std::string& name);
 
 Image8 decode_png(Bytes bytes, const std::string& name);
@@ -29,6 +32,12 @@ Image8 decode_jpeg(Bytes bytes, const std::string& name);
 Image8 decode_webp(Bytes bytes, const std::string& name);
 // The largest level. Throws Error(unsupported) where there is no libktx.
 Image8 decode_ktx2(Bytes bytes, const std::string& name);
+
+// What these declare in their heads, accepted (check_size).
+Size size_of_png(Bytes bytes, const std::string& name);
+Size size_of_jpeg(Bytes bytes, const std::string& name);
+Size size_of_webp(Bytes bytes, const std::string& name);
+Size size_of_ktx2(Bytes bytes, const std::string& name);
 
 std::vector<std::byte> encode_hdr(const Image& image);
 std::vector<std::byte> encode_pfm(const Image& image);

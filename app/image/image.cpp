@@ -110,7 +110,7 @@ Image read(const std::filesystem::path& path) {
   case Format::pfm:
     return formats::read_pfm(bytes, name);
   case Format::exr:
-    return formats::colour_of(formats::read_exr(bytes, name), name);
+    return formats::read_exr_colour(bytes, name);
   case Format::png:
   case Format::jpeg:
   case Format::webp:

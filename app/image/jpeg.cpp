@@ -146,8 +146,10 @@ void on_write_error(j_common_ptr common) {
 
 } // namespace
 
-Image8 decode_jpeg(Bytes bytes, const std::string& name) {
-  Reader reader;
+namespace {
+
+// Reads the header.
+Size open(Reader& reader, Bytes bytes, const std::string& name) {
   reader.in = bytes;
   reader.jpeg.err = jpeg_std_error(&reader.errors);
   reader.jpeg.client_data = &reader;
@@ -158,10 +160,21 @@ Image8 decode_jpeg(Bytes bytes, const std::string& name) {
   check_size(name, reader.jpeg.image_width, reader.jpeg.image_height);
   if (reader.jpeg.jpeg_color_space == JCS_CMYK || reader.jpeg.jpeg_color_space == JCS_YCCK)
     throw Error(ExitCode::input, name, "holds printing inks (CMYK)", "Save it as an RGB picture.");
-  Image8 image{.width = static_cast<int>(reader.jpeg.image_width),
-               .height = static_cast<int>(reader.jpeg.image_height),
-               .rgba = {}};
-  image.rgba.resize(std::size_t{4} * reader.jpeg.image_width * reader.jpeg.image_height);
+  return {static_cast<int>(reader.jpeg.image_width), static_cast<int>(reader.jpeg.image_height)};
+}
+
+} // namespace
+
+Size size_of_jpeg(Bytes bytes, const std::string& name) {
+  Reader reader;
+  return open(reader, bytes, name);
+}
+
+Image8 decode_jpeg(Bytes bytes, const std::string& name) {
+  Reader reader;
+  const Size size = open(reader, bytes, name);
+  Image8 image{.width = size.width, .height = size.height, .rgba = {}};
+  image.rgba.resize(4 * static_cast<std::size_t>(size.pixels()));
   if (!reader.read_pixels(image.rgba.data())) fail(reader, name);
   if (reader.unended) note(name + ": has no end marker after its last row; read all the same");
   return image;

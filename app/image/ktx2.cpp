@@ -72,10 +72,6 @@ const Libktx* libktx() {
 }
 
 // The head of a file, which says what there is to come: libktx is given nothing that asks for more memory than its pixels take.
-struct Head {
-  int width = 0, height = 0;
-};
-
 constexpr std::size_t index_at = 80;      // after identifier, header and the places of three blocks
 constexpr std::size_t level_entry = 24;   // three 64-bit numbers
 constexpr std::uint64_t block_bytes = 16; // UASTC, 4 x 4 pixels
@@ -87,7 +83,7 @@ T number_at(Bytes bytes, std::size_t at) { // little-endian, as this program's m
   return value;
 }
 
-Head checked_head(Bytes bytes, const std::string& name) {
+Size checked_head(Bytes bytes, const std::string& name) {
   const auto refuse = [&](const std::string& what, const std::string& remedy) {
     throw Error(ExitCode::input, name, what, remedy);
   };
@@ -134,8 +130,12 @@ Head checked_head(Bytes bytes, const std::string& name) {
 
 } // namespace
 
+Size size_of_ktx2(Bytes bytes, const std::string& name) {
+  return checked_head(bytes, name);
+}
+
 Image8 decode_ktx2(Bytes bytes, const std::string& name) {
-  const Head head = checked_head(bytes, name);
+  const Size head = checked_head(bytes, name);
   const Libktx* const library = libktx();
   if (!library)
     throw Error(ExitCode::unsupported, name,

@@ -75,6 +75,39 @@ struct Reader : State {
   }
 };
 
+[[noreturn]] void fail(const State& state, const std::string& name) {
+  throw Error(ExitCode::input, name + ", byte " + std::to_string(state.at),
+              "is truncated or malformed: " + state.message, "Download or write the file again.");
+}
+
+// Deflate turns one byte into 1032 at the very most (258 bytes for two bits), so a file that
+// declares more than that cannot be whole, and is refused before memory is taken for it.
+void check_ratio(const Reader& reader, const std::string& name) {
+  const std::uint64_t raw = std::uint64_t{png_get_rowbytes(reader.png, reader.info)}
+                            * png_get_image_height(reader.png, reader.info);
+  if (raw / 1032 <= reader.in.size()) return;
+  throw Error(ExitCode::input, name,
+              "declares " + std::to_string(png_get_image_width(reader.png, reader.info)) + " x "
+                  + std::to_string(png_get_image_height(reader.png, reader.info))
+                  + " pixels, which its " + std::to_string(reader.in.size()) + " bytes cannot hold",
+              "Download or write the file again.");
+}
+
+// Reads the header.
+Size open(Reader& reader, Bytes bytes, const std::string& name) {
+  reader.in = bytes;
+  reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, static_cast<State*>(&reader), on_error,
+                                      on_warning);
+  reader.info = reader.png ? png_create_info_struct(reader.png) : nullptr;
+  if (!reader.info) throw std::bad_alloc();
+  if (!reader.read_header()) fail(reader, name);
+  const png_uint_32 width = png_get_image_width(reader.png, reader.info);
+  const png_uint_32 height = png_get_image_height(reader.png, reader.info);
+  check_size(name, width, height);
+  check_ratio(reader, name);
+  return {static_cast<int>(width), static_cast<int>(height)};
+}
+
 struct Writer : State {
   ~Writer() { png_destroy_write_struct(&png, &info); }
 
@@ -95,24 +128,6 @@ struct Writer : State {
   }
 };
 
-[[noreturn]] void fail(const State& state, const std::string& name) {
-  throw Error(ExitCode::input, name + ", byte " + std::to_string(state.at),
-              "is truncated or malformed: " + state.message, "Download or write the file again.");
-}
-
-// Deflate turns one byte into 1032 at the very most (258 bytes for two bits), so a file that
-// declares more than that cannot be whole, and is refused before memory is taken for it.
-void check_ratio(const Reader& reader, const std::string& name) {
-  const std::uint64_t raw = std::uint64_t{png_get_rowbytes(reader.png, reader.info)}
-                            * png_get_image_height(reader.png, reader.info);
-  if (raw / 1032 <= reader.in.size()) return;
-  throw Error(ExitCode::input, name,
-              "declares " + std::to_string(png_get_image_width(reader.png, reader.info)) + " x "
-                  + std::to_string(png_get_image_height(reader.png, reader.info))
-                  + " pixels, which its " + std::to_string(reader.in.size()) + " bytes cannot hold",
-              "Download or write the file again.");
-}
-
 void set_rows(std::vector<png_bytep>& rows, std::uint8_t* pixels, int height, std::size_t pitch) {
   rows.resize(static_cast<std::size_t>(height));
   for (std::size_t y = 0; y < rows.size(); ++y)
@@ -121,21 +136,18 @@ void set_rows(std::vector<png_bytep>& rows, std::uint8_t* pixels, int height, st
 
 } // namespace
 
+Size size_of_png(Bytes bytes, const std::string& name) {
+  Reader reader;
+  return open(reader, bytes, name);
+}
+
 Image8 decode_png(Bytes bytes, const std::string& name) {
   Reader reader;
-  reader.in = bytes;
-  reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, static_cast<State*>(&reader), on_error,
-                                      on_warning);
-  reader.info = reader.png ? png_create_info_struct(reader.png) : nullptr;
-  if (!reader.info) throw std::bad_alloc();
-  if (!reader.read_header()) fail(reader, name);
-  const png_uint_32 width = png_get_image_width(reader.png, reader.info);
-  const png_uint_32 height = png_get_image_height(reader.png, reader.info);
-  check_size(name, width, height);
-  check_ratio(reader, name);
-  Image8 image{.width = static_cast<int>(width), .height = static_cast<int>(height), .rgba = {}};
-  image.rgba.resize(std::size_t{4} * width * height);
-  set_rows(reader.rows, image.rgba.data(), image.height, std::size_t{4} * width);
+  const auto [width, height] = open(reader, bytes, name);
+  Image8 image{.width = width, .height = height, .rgba = {}};
+  const std::size_t pitch = std::size_t{4} * static_cast<std::size_t>(width);
+  image.rgba.resize(pitch * static_cast<std::size_t>(height));
+  set_rows(reader.rows, image.rgba.data(), height, pitch);
   if (!reader.read_pixels()) fail(reader, name);
   return image;
 }

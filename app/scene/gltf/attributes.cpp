@@ -55,9 +55,10 @@ const DracoMesh* Geometry::draco(const tinygltf::Primitive& source, const std::s
   if (extension == nullptr) return nullptr;
   const int view = extension->Get("bufferView").GetNumberAsInt();
   auto& mesh = draco_[view];
+  const std::string at = place + ".extensions.KHR_draco_mesh_compression";
   if (!mesh)
-    mesh = std::make_unique<DracoMesh>(document_.view(view), document_.name(),
-                                       place + ".extensions.KHR_draco_mesh_compression");
+    mesh = std::make_unique<DracoMesh>(document_.view(view), document_.name(), at,
+                                       [&](std::size_t bytes) { document_.afford(bytes, at); });
   return mesh.get();
 }
 

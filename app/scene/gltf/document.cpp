@@ -1,11 +1,14 @@
 #include "scene/gltf/document.h"
 
+#include "image/image.h"
 #include "scene/gltf/check.h"
 #include "scene/gltf/extensions.h"
 #include "scene/gltf/fail.h"
 #include "scene/gltf/meshopt.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace gg::scene::gltf {
 namespace {
@@ -14,6 +17,9 @@ namespace {
 // quantised bytes become floats (4), and files like MetalRoughSpheresNoTextures read a vertex from
 // several accessors; the constant part lets small files hold zero-filled accessors.
 constexpr std::size_t expansion = 256, allowance = std::size_t{64} << 20;
+// What its pictures may unpack to before that counts too: plain ones compress much better (deflate 1032 times). Four of the
+// largest, thirty-two of 4096 x 4096.
+constexpr std::size_t picture_allowance = 4 * 4 * static_cast<std::size_t>(image::max_pixels);
 
 // What tinygltf is given: the structure without what it would read, decode or drop by itself.
 std::string structure(const nlohmann::json& json) {
@@ -47,22 +53,54 @@ Document::Document(const std::filesystem::path& path) : container_(open_containe
                      "Only glTF 2.0 is read: export it as that.");
   check_extensions(json, name());
 
+  read_ = container_.bytes.size();
+  afford_elements();
   const std::string text = structure(json);
   std::string error, warning;
   tinygltf::TinyGLTF reader;
   if (!reader.LoadASCIIFromString(&model_, &error, &warning, text.data(),
                                   static_cast<unsigned>(text.size()), ""))
     fail(name(), "", "is not valid glTF: " + error.substr(0, error.find('\n')));
-  read_ = container_.bytes.size();
+}
+
+// "{}," is three bytes of the file and a structure of tinygltf's and one of ours.
+void Document::afford_elements() const {
+  // Measured with a million of each: 3400 bytes a material, 780 a node, the largest of the others.
+  constexpr std::size_t bytes_of_material = 4096, bytes_of_another = 1024;
+  std::size_t bytes = 0;
+  for (const auto& [member, elements] : container_.json.items()) {
+    if (!elements.is_array()) continue;
+    bytes += elements.size() * (member == "materials" ? bytes_of_material : bytes_of_another);
+    afford(bytes, member);
+  }
+}
+
+std::size_t Document::left() const {
+  return allowance + expansion * read_ - spent_;
 }
 
 void Document::spend(std::size_t bytes, const std::string& place) {
-  const std::size_t limit = allowance + expansion * read_;
-  if (bytes > limit - spent_)
+  afford(bytes, place);
+  spent_ += bytes;
+}
+
+void Document::afford(std::size_t bytes, const std::string& place) const {
+  if (bytes > left())
     fail(name(), place,
          fmt::format("asks for {} MiB, in a file of {} KiB", bytes >> 20, read_ >> 10),
          "Check its count: the file does not hold that much.");
-  spent_ += bytes;
+}
+
+void Document::spend_on_picture(std::size_t bytes, const std::string& place) {
+  const std::size_t free = std::min(bytes, picture_allowance - pictures_), rest = bytes - free;
+  if (rest > left())
+    fail(name(), place,
+         fmt::format("is one picture too many: with it they take {} MiB, in files of {} KiB",
+                     (picture_allowance + spent_ + rest) >> 20, read_ >> 10),
+         "Scale them down.");
+  pictures_ += free;
+  spent_ += rest;
+  kept_ += rest;
 }
 
 std::string Document::camera_fault(int camera) const {
@@ -147,6 +185,7 @@ std::span<const std::byte> Document::image(int index) {
   if (found == external_images_.end()) {
     const auto& uri = json["uri"].get_ref<const std::string&>();
     found = external_images_.emplace(index, fetch(uri, container_, place + ".uri")).first;
+    read_ += found->second.size();
   }
   return found->second;
 }

@@ -39,10 +39,15 @@ public:
   // size can sensibly become is bounded, and a message is better than an exhausted machine. Throws
   // Error(input) naming `place`.
   void spend(std::size_t bytes, const std::string& place);
+  // The same for a decoded picture, which is kept. Those of a file may together take more, whatever its size.
+  void spend_on_picture(std::size_t bytes, const std::string& place);
+  // Throws as spend(bytes, place) would, and takes nothing.
+  void afford(std::size_t bytes, const std::string& place) const;
   // Another scene is made of the file: what the one before unpacked is paid back, but for what is kept here.
   void begin_anew() { spent_ = kept_; }
 
 private:
+  void afford_elements() const;
   std::span<const std::byte> buffer(int buffer);
   std::span<const std::byte> slice(int buffer, std::size_t offset, std::size_t length,
                                    const std::string& place);
@@ -51,7 +56,10 @@ private:
   CameraFaults camera_faults_;
   tinygltf::Model model_;
   std::map<int, std::vector<std::byte>> buffers_, decompressed_, external_images_;
-  std::size_t spent_ = 0, kept_ = 0, read_ = 0; // kept_: of spent_, by what is decompressed
+  std::size_t left() const;          // of what may be spent
+  std::size_t read_ = 0;             // bytes of all files
+  std::size_t spent_ = 0, kept_ = 0; // kept_: of spent_, by what stays for the next scene
+  std::size_t pictures_ = 0;         // of their allowance
 };
 
 } // namespace gg::scene::gltf

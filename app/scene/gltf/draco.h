@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -10,11 +11,15 @@
 
 namespace gg::scene::gltf {
 
+// Is told what decoding is about to take, before it does, and throws if that is too much.
+using Afford = std::function<void(std::size_t bytes)>;
+
 // The triangles and attributes of one compressed primitive.
 class DracoMesh {
 public:
   // Throws Error(input) naming `file` and `place` if the data are damaged.
-  DracoMesh(std::span<const std::byte> bytes, const std::string& file, const std::string& place);
+  DracoMesh(std::span<const std::byte> bytes, const std::string& file, const std::string& place,
+            const Afford& afford);
   ~DracoMesh();
   DracoMesh(const DracoMesh&) = delete;
   DracoMesh& operator=(const DracoMesh&) = delete;

@@ -1,5 +1,6 @@
 #include "scene/gltf/images.h"
 
+#include "image/size.h"
 #include "scene/gltf/fail.h"
 #include "scene/gltf/values.h"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <set>
@@ -78,15 +80,42 @@ struct Job {
   Index image;
   std::span<const std::byte> bytes;
   std::string name;
+  long long pixels = 0;
+};
+
+// Decoders take as much memory again as the picture, and several are at work: together on no more pixels than one picture
+// may have.
+class Workbench {
+public:
+  void take(long long pixels) {
+    std::unique_lock lock(mutex_);
+    free_.wait(lock, [&] { return taken_ == 0 || taken_ + pixels <= image::max_pixels; });
+    taken_ += pixels;
+  }
+  void give_back(long long pixels) {
+    {
+      const std::lock_guard lock(mutex_);
+      taken_ -= pixels;
+    }
+    free_.notify_all();
+  }
+
+private:
+  std::mutex mutex_;
+  std::condition_variable free_;
+  long long taken_ = 0;
 };
 
 // Decoding is most of the time to load a textured scene, and images do not depend on each other.
-// The error that is thrown is that of the first broken image in the file, whichever thread met it.
+// The error that is thrown is that of the first broken image in the file, whichever thread met it (of its heads, which are
+// read before, if one of them is broken).
 void decode(const std::vector<Job>& jobs, Scene& scene) {
   std::vector<std::exception_ptr> errors(jobs.size());
   std::atomic<std::size_t> next = 0;
+  Workbench bench;
   const auto work = [&] {
-    for (std::size_t i; (i = next++) < jobs.size();)
+    for (std::size_t i; (i = next++) < jobs.size();) {
+      bench.take(jobs[i].pixels);
       try {
         scene.images[static_cast<std::size_t>(jobs[i].image)] =
             std::make_shared<const image::Image8>(
@@ -94,6 +123,8 @@ void decode(const std::vector<Job>& jobs, Scene& scene) {
       } catch (...) {
         errors[i] = std::current_exception();
       }
+      bench.give_back(jobs[i].pixels);
+    }
   };
   {
     std::vector<std::jthread> helpers;
@@ -162,9 +193,13 @@ void decode_images(Document& document, const std::vector<bool>& material_is_used
   std::vector<Job> jobs;
   for (const Index i : images) {
     const std::string name = document.name() + ": " + element("images", i);
-    const auto bytes = document.image(i);
-    jobs.push_back({i, bytes, name});
+    jobs.push_back({i, document.image(i), name});
     scene.images.resize(std::max(scene.images.size(), static_cast<std::size_t>(i) + 1));
+  }
+  for (Job& job : jobs) {
+    job.pixels = image::size_of(job.bytes.data(), job.bytes.size(), job.name).pixels();
+    document.spend_on_picture(4 * static_cast<std::size_t>(job.pixels),
+                              element("images", job.image));
   }
   decode(jobs, scene);
 }
