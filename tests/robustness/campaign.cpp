@@ -197,6 +197,7 @@ TEST(campaign, every_mutant_is_drawn_or_refused_in_words) {
     }
     limit_seconds(0);
   }
+  stop_drawing();
   std::printf("campaign: seed %u: %u mutants, %u accepted, %u drawn on both backends, slowest read "
               "%.2f s, most memory %.0f MiB\n",
               seed, count, accepted, drawn, slowest, most_memory);

@@ -10,5 +10,7 @@ namespace gg::test {
 // Draws the scene under a constant sky, or if it is null a solid under the file's panorama, 24 x 24 pixels on both backends,
 // and expects finite values. Returns whether it was drawn. Throws what loading the panorama throws.
 bool draw_small(const std::filesystem::path& file, const scene::Scene* scene);
+// Frees what drawing keeps, before the devices end.
+void stop_drawing();
 
 } // namespace gg::test

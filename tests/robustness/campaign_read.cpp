@@ -6,4 +6,6 @@ bool draw_small(const std::filesystem::path&, const scene::Scene*) {
   return false;
 }
 
+void stop_drawing() {}
+
 } // namespace gg::test
