@@ -1,5 +1,6 @@
 #include "core/files.h"
 
+#include "core/clean_up.h"
 #include "core/error.h"
 
 #include <fcntl.h>
@@ -42,9 +43,7 @@ void forget(int slot) {
 }
 
 void on_interrupt(int) {
-  for (auto& path : unfinished)
-    if (const char* text = path.load()) ::unlink(text);
-  ::_exit(static_cast<int>(ExitCode::interrupted));
+  clean_up_and_exit(ExitCode::interrupted);
 }
 
 std::string reason() {
@@ -315,6 +314,12 @@ void OutputFile::commit() {
     throw Error(ExitCode::output, path_, "cannot be written: " + error.message(),
                 "Check that you may write there.");
   temporary_.clear();
+}
+
+void clean_up_and_exit(ExitCode code) {
+  for (auto& path : unfinished)
+    if (const char* text = path.load()) ::unlink(text);
+  ::_exit(static_cast<int>(code));
 }
 
 void clean_up_on_interrupt() {

@@ -68,6 +68,7 @@ private:
   void forget_speed(); // another scene or method is to be drawn
   void attempt(const std::function<void()>& drawing);
   void draw();
+  bool is_amid_quick() const;
   void draw_quick();
   void set_second();
   gpu::TextureRef compose();
@@ -119,6 +120,8 @@ private:
   int width_ = 0, height_ = 0;            // of the picture on the screen, pixels
   bool stale_ = true;                     // the picture is of another view than the session's
   bool quick_ = false;                    // it is a quick one
+  bool quick_is_first_ = false;           // the first of its scene
+  double quick_ms_ = 0.0;                 // on the quick one that is being drawn
   bool camera_alone_ = false;             // nothing but the camera has changed last
   bool broken_ = false;                   // its shaders compile, and cannot be drawn with
   bool planned_ = false;                  // the warm-up has been, for this picture

@@ -88,9 +88,16 @@ void DisplayPass::draw_into(const gpu::TextureRef& target, const Show& show, con
   device_.run(std::span(&pass, 1));
 }
 
+// What is much smaller than the screen shows it is encoded first: a software device takes 8 of 11 ms for that at full size.
+bool DisplayPass::is_small(const Show& show) {
+  return show.picture && !show.beside && 2 * show.picture->desc.width <= show.picture_width
+         && 2 * show.picture->desc.height <= show.picture_height;
+}
+
 // The picture encoded for display at its own size.
 gpu::TextureRef DisplayPass::encoded_small(const Show& show) {
   const gpu::TextureDesc& desc = show.picture->desc;
+  if (show.being_drawn && small_) return small_;
   make_target(device_, small_, "small window", desc.width, desc.height);
   Show small = show;
   small.width = small.picture_width = desc.width;
@@ -104,11 +111,7 @@ const gpu::TextureRef& DisplayPass::draw(const Show& show) {
   Kind kind{.tone_map = show.tone_map,
             .beside = show.beside.has_value(),
             .outlined = outline_ != nullptr};
-  // What is much smaller than the screen shows it is encoded first: a software device takes 8 of 11 ms for that at full size.
-  const bool small = show.picture && !show.beside
-                     && 2 * show.picture->desc.width <= show.picture_width
-                     && 2 * show.picture->desc.height <= show.picture_height;
-  if (!small) {
+  if (!is_small(show)) {
     draw_into(target_, show, kind, block_);
     return target_;
   }

@@ -32,9 +32,10 @@ public:
   struct Show {
     int width = 0, height = 0; // of the window
     int picture_width = 0,
-        picture_height = 0;  // of the part of it, at the top left, that the picture fills
-    gpu::TextureRef picture; // of any size
-    float factor = 1.0f;     // on its values, the exposure's included
+        picture_height = 0;   // of the part of it, at the top left, that the picture fills
+    gpu::TextureRef picture;  // of any size
+    bool being_drawn = false; // it is: what was shown last of a picture of its size is shown again
+    float factor = 1.0f;      // on its values, the exposure's included
     frame::ToneMap tone_map = frame::ToneMap::neutral;
     std::optional<Beside> beside;
   };
@@ -55,6 +56,7 @@ private:
     auto operator<=>(const Kind&) const = default;
   };
   const gpu::PipelineRef& pipeline(const Kind& kind);
+  static bool is_small(const Show& show);
   gpu::TextureRef encoded_small(const Show& show);
   void draw_into(const gpu::TextureRef& target, const Show& show, const Kind& kind,
                  const gpu::BufferRef& block);

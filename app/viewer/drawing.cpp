@@ -99,19 +99,40 @@ void Application::restart(bool quick) {
   compiling_.begun = compiling_.done; // else what is missing is to be looked up again
 }
 
+bool Application::is_amid_quick() const {
+  return quick_ && !broken_ && picture_->is_open() && picture_->amid_sample();
+}
+
+// What takes longer than a frame is drawn in several, and the window answers in each; changes that come meanwhile wait for the next
+// picture, so that each is finished. A camera that is turned does not wait for a slider's picture.
 void Application::draw_quick() {
   const auto start = Clock::now();
-  const bool first = !picture_->is_open(); // its time is that of compiling
   Pace& pace = is_by_standard() ? standard_pace_ : pace_;
-  session_.moving_method = quick_method();
-  restart(true);
-  picture_->draw_sample();
-  window_->device().finish();
-  const double picture_ms = ms_since(start);
-  session_.frame_ms = picture_ms + window_ms_;
+  const bool goes_on = is_amid_quick() && (!stale_ || session_.moving_method == quick_method());
+  if (!goes_on) {
+    quick_is_first_ = !picture_->is_open(); // its time is that of compiling
+    quick_ms_ = 0.0;
+    session_.moving_method = quick_method();
+    restart(true);
+  }
   for (Pace* of : {&pace_, &standard_pace_})
     of->want(session_.frames_per_second, window_ms_);
-  if (!first) pace.took(picture_ms);
+  // Only where what was shown before can be shown meanwhile (DisplayPass::Show::being_drawn): a step below half of the width.
+  const bool in_parts = pace.is_late() && session_.scale < 0.45;
+  const double part_ms =
+      std::max(pace.wanted_ms(), window_ms_); // a slow window leaves the picture half of the time
+  double pass_ms = 0.0;                       // of the last: the next takes as much, about
+  do {
+    const auto before = Clock::now();
+    picture_->draw_pass();
+    if (in_parts) window_->device().finish();
+    pass_ms = ms_since(before);
+  } while (picture_->amid_sample() && !(in_parts && ms_since(start) + pass_ms > part_ms));
+  window_->device().finish();
+  quick_ms_ += ms_since(start);
+  if (picture_->amid_sample()) return;
+  session_.frame_ms = quick_ms_ + window_ms_;
+  if (!quick_is_first_) pace.took(quick_ms_);
 }
 
 // Set, or let go, as the session says; drawn in work().
@@ -161,7 +182,7 @@ void Application::draw() {
     outlined_ = picked;
     planned_ = false; // its sliders may be next
   }
-  if (session_.moving && stale_) draw_quick();
+  if ((session_.moving && stale_) || is_amid_quick()) draw_quick();
   set_second();
   session_.drawn = picture_->drawn();
   session_.device_bytes = window_->device().memory_bytes();
@@ -205,6 +226,7 @@ void Application::take_truth() {
 
 // What has been drawn with the text before stays until the next sample.
 void Application::take_shaders() {
+  if (is_amid_quick()) return; // it goes on with those that it began with
   const auto done = shaders_.take();
   if (!done) return;
   settling_ = 3;
@@ -308,6 +330,7 @@ gpu::TextureRef Application::compose() {
                          .beside = beside()};
   if (!broken_ && picture_->texture()) {
     show.picture = picture_->texture();
+    show.being_drawn = picture_->hides_texture();
     show.factor = picture_->factor() * std::exp2(session_.view.exposure);
   } else {
     show.picture_width = show.picture_height = 0;

@@ -1,5 +1,6 @@
 // What lights the scene, and what is seen behind it.
 #include "environment/map.h"
+#include "viewer/fields.h"
 #include "viewer/panels.h"
 
 #include <fmt/format.h>
@@ -55,7 +56,8 @@ bool draw_background(View& view) {
   float rgb[3] = {};
   char comma = 0;
   std::istringstream(view.background) >> rgb[0] >> comma >> rgb[1] >> comma >> rgb[2];
-  if (ImGui::ColorEdit3("colour behind", rgb, ImGuiColorEditFlags_Float)) {
+  constexpr float brightest = 65504.0f; // of a float of 16 bits
+  if (colour_field("colour behind", rgb, brightest)) {
     view.background = fmt::format("{},{},{}", rgb[0], rgb[1], rgb[2]);
     changed = true;
   }
@@ -68,9 +70,9 @@ void draw_environment_panel(Session& session, float scale) {
   View& view = session.view;
   ImGui::TextUnformatted(name_of(view).c_str());
   draw_thumbnails(session, scale);
-  bool changed = ImGui::SliderFloat("rotation", &view.env_rotation, -180.0f, 180.0f, "%.1f deg");
-  changed |= ImGui::SliderFloat("intensity", &view.env_intensity, 0.0f, 8.0f, "%.3f",
-                                ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  bool changed = slider("rotation", view.env_rotation, -180.0f, 180.0f, "%.1f deg");
+  changed |=
+      slider("intensity", view.env_intensity, 0.0f, 8.0f, "%.3f", ImGuiSliderFlags_Logarithmic);
   if (session.map) changed |= draw_background(view);
   session.requests.light |= changed;
 }

@@ -1,5 +1,6 @@
 // Everything that --material can say, as controls.
 #include "scene/presets.h"
+#include "viewer/fields.h"
 #include "viewer/panels.h"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ namespace {
 constexpr std::array<std::string_view, 7> not_of_metals = {
     "color",      "ior",       "thickness", "attenuation_distance", "attenuation_color",
     "back_alpha", "dispersion"};
-constexpr ImGuiSliderFlags from_small = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
+constexpr ImGuiSliderFlags from_small = ImGuiSliderFlags_Logarithmic;
 
 class Controls {
 public:
@@ -55,15 +56,13 @@ public:
 
   void width() {
     const float alpha = microfacet_alpha(shown_);
-    if (float a = alpha; ImGui::SliderFloat("alpha", &a, 0.0f, 1.0f, "%.4f", from_small))
-      set_width("alpha", a);
-    if (float r = std::sqrt(alpha);
-        ImGui::SliderFloat("roughness", &r, 0.0f, 1.0f, "%.3f", ImGuiSliderFlags_AlwaysClamp))
+    if (float a = alpha; slider("alpha", a, 0.0f, 1.0f, "%.4f", from_small)) set_width("alpha", a);
+    if (float r = std::sqrt(alpha); slider("roughness", r, 0.0f, 1.0f, "%.3f"))
       set_width("roughness", r);
     finish();
     if (!lets_light_in()) return;
     float back = shown_.back_alpha.value_or(alpha);
-    if (ImGui::SliderFloat("back alpha", &back, 0.0f, 1.0f, "%.4f", from_small))
+    if (slider("back alpha", back, 0.0f, 1.0f, "%.4f", from_small))
       set("back_alpha", fmt::format("{}", back));
   }
 
@@ -82,15 +81,15 @@ public:
     float thickness = shown_.thickness;
     if (ImGui::DragFloat("thickness", &thickness,
                          0.01f * std::max(session_.scene->bounds.radius(), 1e-6f), 0.0f, 1e6f,
-                         "%.4g"))
+                         "%.4g")
+        && std::isfinite(thickness))
       set("thickness", fmt::format("{}", std::max(thickness, 0.0f)));
     color("absorption", "attenuation_color", glm::vec4(shown_.attenuation_color, 1.0f));
     // A point is as large as a micrometre.
     const float radius = std::max(session_.scene->bounds.radius(), 1e-6f);
     float distance =
         std::isfinite(shown_.attenuation_distance) ? shown_.attenuation_distance : 100.0f * radius;
-    if (ImGui::SliderFloat("at distance", &distance, 1e-3f * radius, 100.0f * radius, "%.4g m",
-                           from_small))
+    if (slider("at distance", distance, 1e-3f * radius, 100.0f * radius, "%.4g m", from_small))
       set("attenuation_distance", fmt::format("{}", distance));
   }
 
@@ -147,13 +146,11 @@ private:
   }
   void number(const char* label, const char* key, float value, float least, float most,
               const char* format) {
-    if (ImGui::SliderFloat(label, &value, least, most, format, ImGuiSliderFlags_AlwaysClamp))
-      set(key, fmt::format("{}", value));
+    if (slider(label, value, least, most, format)) set(key, fmt::format("{}", value));
   }
   void color(const char* label, const char* key, const glm::vec4& linear) {
     float rgb[3] = {linear.x, linear.y, linear.z};
-    if (ImGui::ColorEdit3(label, rgb, ImGuiColorEditFlags_Float))
-      set(key, fmt::format("{}/{}/{}", rgb[0], rgb[1], rgb[2]));
+    if (colour_field(label, rgb, 1.0f)) set(key, fmt::format("{}/{}/{}", rgb[0], rgb[1], rgb[2]));
   }
 
   Session& session_;

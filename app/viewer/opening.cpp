@@ -62,6 +62,7 @@ void Application::open_first() {
 }
 
 void Application::take_loaded() {
+  if (is_amid_quick()) return; // it is of the scene before
   auto done = loading_.take();
   if (!done) return;
   settling_ = 3;

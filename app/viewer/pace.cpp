@@ -29,6 +29,7 @@ double Pace::scale() const {
 
 void Pace::took(double ms) {
   begun_ = true;
+  last_ms_ = ms;
   if (step_ == most_steps) lowest_ms_ = ms;
   // Each step halves the pixels, and a frame's time is in proportion to them at most.
   if (ms > wanted_ms_) {

@@ -1,6 +1,7 @@
 #include "viewer/panels.h"
 
 #include "core/files.h"
+#include "viewer/fields.h"
 #include "viewer/input.h"
 
 #include <fmt/format.h>
@@ -65,9 +66,7 @@ void draw_camera_panel(Session& session) {
     ImGui::EndCombo();
   }
   float fovy = session.view.place ? session.view.place->fovy : glm::degrees(session.camera.fovy);
-  if (!session.camera.orthographic
-      && ImGui::SliderFloat("field of view", &fovy, 5.0f, 120.0f, "%.1f deg",
-                            ImGuiSliderFlags_AlwaysClamp)) {
+  if (!session.camera.orthographic && slider("field of view", fovy, 5.0f, 120.0f, "%.1f deg")) {
     if (!session.view.place) session.view.place = place_of(session.camera, session.scene->bounds);
     session.view.place->fovy = fovy;
     session.requests.camera = true;
@@ -102,8 +101,7 @@ void draw_animation_panel(Session& session) {
   ImGui::SameLine();
   float time = view.time.value_or(0.0f);
   ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::SliderFloat("##time", &time, 0.0f, posed ? std::max(posed->end, 1e-3f) : 1.0f,
-                         "%.3f s", ImGuiSliderFlags_AlwaysClamp)) {
+  if (slider("##time", time, 0.0f, posed ? std::max(posed->end, 1e-3f) : 1.0f, "%.3f s")) {
     view.time = time;
     session.playing = false;
     session.requests.pose = true;
@@ -129,7 +127,7 @@ void draw_quality_panel(Session& session, const std::vector<std::string>& method
   }
   changed |= ImGui::Checkbox("multiple scattering", &view.multiscatter);
   session.requests.quality |= changed;
-  ImGui::SliderFloat("exposure", &view.exposure, -8.0f, 8.0f, "%+.2f EV");
+  slider("exposure", view.exposure, -8.0f, 8.0f, "%+.2f EV");
   constexpr const char* curves[] = {"none", "neutral", "aces", "agx"};
   if (ImGui::BeginCombo("tone curve", view.tonemap.c_str())) {
     for (const char* curve : curves)
@@ -137,9 +135,7 @@ void draw_quality_panel(Session& session, const std::vector<std::string>& method
     ImGui::EndCombo();
   }
   auto rate = static_cast<float>(session.frames_per_second);
-  if (ImGui::SliderFloat("in motion", &rate, 5.0f, 120.0f, "%.0f frames/s",
-                         ImGuiSliderFlags_AlwaysClamp))
-    session.frames_per_second = rate;
+  if (slider("in motion", rate, 5.0f, 120.0f, "%.0f frames/s")) session.frames_per_second = rate;
   ImGui::Checkbox("standard in motion where others are slow", &session.standard_in_motion);
 }
 

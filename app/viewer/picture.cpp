@@ -7,6 +7,7 @@ namespace gg::viewer {
 void Picture::open(std::shared_ptr<const scene::Scene> scene,
                    std::shared_ptr<const scene::CoarseLists> coarse) {
   renderer_.reset(); // before the scene that it reads
+  pass_ = 0;
   scene_ = std::move(scene);
   coarse_ = std::move(coarse);
   drawn_scene_ = std::make_shared<Drawn>(*scene_);
@@ -29,6 +30,7 @@ bool same_vertices(const scene::Scene& a, const scene::Scene& b) {
 
 void Picture::pose(std::shared_ptr<const scene::Scene> scene) {
   // With the file's own vertices: those that are drawn may have been moved to another origin.
+  pass_ = 0; // what is being drawn is given up
   const bool moved_alone = same_vertices(*scene_, *scene);
   scene_ = std::move(scene);
   Drawn& drawn = *drawn_scene_;

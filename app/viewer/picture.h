@@ -39,6 +39,7 @@ public:
 
   // Shaders have changed: the next set() compiles what it draws with.
   void forget_pipelines() {
+    pass_ = 0; // what is being drawn is given up
     if (renderer_) renderer_->forget_pipelines();
   }
 
@@ -48,6 +49,10 @@ public:
   void draw_sample(std::map<std::string, double>* times = nullptr); // the rest of it
   void draw_pass(std::map<std::string, double>* times = nullptr);   // the next one of a sample
   bool amid_sample() const { return pass_ > 0; }
+  // What texture() holds is being drawn over.
+  bool hides_texture() const {
+    return amid_sample() && texture_ && texture_ == renderer_->picture();
+  }
 
   // Frames that nobody sees, so that one like them finds made what it is drawn with. While one is set nothing else is drawn or read;
   // then the picture is set again, with what has been drawn of it. `materials`: in place of the scene's.

@@ -1,3 +1,4 @@
+#include "viewer/fields.h"
 #include "viewer/panels.h"
 
 #include <fmt/format.h>
@@ -51,8 +52,7 @@ void draw_truth_panel(Session& session, const std::vector<std::string>& methods)
   if (ImGui::Combo("shown as", &now, comparing_names, ways))
     session.comparing = static_cast<Comparing>(now);
   if (!session.truth) return;
-  if (session.comparing == Comparing::wipe)
-    ImGui::SliderFloat("wipe", &session.wipe, 0.0f, 1.0f, "");
+  if (session.comparing == Comparing::wipe) slider("wipe", session.wipe, 0.0f, 1.0f, "");
   if (!session.second.empty()) {
     ImGui::Text("%s: %.1f ms a sample", session.view.method.c_str(), session.first_ms);
     ImGui::Text("%s: %.1f ms a sample", session.second.c_str(), session.second_ms);

@@ -61,6 +61,7 @@ bool Application::is_moving() const {
 }
 
 void Application::work() {
+  if (is_amid_quick() && (is_moving() || !compiling_.done)) return; // in the next frame
   if (is_moving() && picture_->is_open() && compiling_.done) { // the first picture does not move
     const bool goes_on = stale_ || session_.turntable || session_.playing || settling_ > 0;
     if (!goes_on) window_->wait_events(1e-3 * still_after_ms - seconds_since(changed_));

@@ -33,10 +33,15 @@ class Desk:
         return self
 
     def __exit__(self, *_):
-        self.display.close()
+        if self.server.poll() is None:
+            self.display.close()
+            self.end()
+        self.folder.cleanup()
+
+    def end(self):
+        """Of the X server, for all that are connected."""
         self.server.terminate()
         self.server.wait()
-        self.folder.cleanup()
 
     def set_scale(self, scale):
         """Of letters and controls, as a desktop says it to windows that open from now on."""
@@ -188,6 +193,22 @@ class Viewer:
             self.fake(X.KeyPress, code, pause)
         for code in reversed(codes):
             self.fake(X.KeyRelease, code, pause)
+
+    def type_into(self, x, y, text):
+        """In place of a slider's value, as Ctrl and a click let one."""
+        names = {"-": ("minus",), ".": ("period",), "*": ("8", "Shift_L")}
+        control = self.desk.display.keysym_to_keycode(XK.string_to_keysym("Control_L"))
+        self.rest()
+        self.move(x, y)
+        self.fake(X.KeyPress, control)
+        self.click(x, y)
+        self.fake(X.KeyRelease, control)
+        held = 0.3 # longer than a frame: Dear ImGui 1.86 misses keys that are released within the frame of their press
+        self.key("BackSpace", pause=held) # of what is there, which is selected
+        for letter in text:
+            self.key(*names.get(letter, (letter,)))
+        self.key("Return", pause=held)
+        self.rest()
 
     def close(self):
         atom = self.desk.display.intern_atom

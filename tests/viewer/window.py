@@ -123,6 +123,16 @@ def a_slider_changes_what_is_picked_and_undo_takes_it_back():
         assert v.close() == 0, v.errors()
 
 
+def a_typed_number_stays_in_its_range():
+    with Desk() as desk, with_square(desk, size=(500, 400)).open() as v:
+        v.click(80, 200)
+        # The last is infinity times 0; then a field that was emptied, and words.
+        for text, alpha in (("1e9", 1), ("-1", 0), ("*1e39", 0), ("0.25", 0.25), ("", 0.25), ("nan", 0.25)):
+            v.type_into(240, ALPHA_ROW, text)
+            v.copied_when(lambda line: f"alpha={alpha:g}" in str(option(line, "--material")), f"'{text}' did not set {alpha}")
+        assert v.close() == 0, v.errors()
+
+
 def assert_saved_is_copied(desk, v):
     """The picture that the window saves is that of the line which it prints."""
     v.key("s", "Control_L")
@@ -223,6 +233,13 @@ def a_hundred_sizes_are_survived():
         desk.display.sync()
         v.copied_when(lambda line: option(line, "--size") == ["400x300"], "the last size")
         assert v.close() == 0, v.errors()
+
+
+def the_end_of_the_display_ends_it_with_a_message():
+    with Desk() as desk, with_square(desk, "--no-panel", "--truth", "100000", size=(320, 240)).open() as v:
+        desk.end()
+        assert v.process.wait(PATIENCE) == 6, v.errors()
+        assert "the display has ended" in v.errors().splitlines()[-1], v.errors()
 
 
 def closing_while_loading_ends_it():

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "gpu/surface/lost_display.h"
 
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
@@ -27,6 +28,7 @@ void start() {
     throw Error(ExitCode::device, "window",
                 "there is no display to open it on (" + last_error() + ")",
                 "Log in to a desktop or set DISPLAY; groundglass capture draws without a window.");
+  exit_when_the_display_is_lost();
 }
 
 class WindowContext final : public Context {

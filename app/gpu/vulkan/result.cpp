@@ -32,6 +32,8 @@ Meaning meaning_of(VkResult result) {
   case VK_ERROR_LAYER_NOT_PRESENT:
     return {"a layer that was asked for is not installed",
             "Install it (Debian, Ubuntu: vulkan-validationlayers) or unset VK_INSTANCE_LAYERS"};
+  case VK_ERROR_SURFACE_LOST_KHR:
+    return {"the window is gone", "Open it again; groundglass capture draws without a window"};
   case VK_ERROR_TOO_MANY_OBJECTS:
     return {"the driver has no room for more objects", "Use a scene with fewer textures"};
   default:
