@@ -6,15 +6,19 @@
 
 #include <array>
 #include <cstring>
+#include <utility>
 
 namespace gg::frame {
 
-Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDesc& desc)
-    : device_(device), scene_(scene), shapes_(scene), uploaded_(device),
-      tables_(tables::make_tables(device)),
+Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDesc& desc,
+                   Prepared prepared)
+    : device_(device), scene_(scene),
+      shapes_(prepared.shapes ? std::move(*prepared.shapes) : needs::Shapes(scene)),
+      uploaded_(device), tables_(tables::make_tables(device)),
       draws_(device, uploaded_, tables_), context_{device, needs_, draws_, regions_,
                                                    shadow_frames_},
       execution_(device) {
+  uploaded_.use_coarse(prepared.coarse);
   set(desc);
 }
 

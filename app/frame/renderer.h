@@ -13,6 +13,7 @@
 #include "tables/device_tables.h"
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -20,11 +21,18 @@
 
 namespace gg::frame {
 
+// What may have been worked out before there was a device.
+struct Prepared {
+  std::optional<needs::Shapes> shapes;        // of the scene
+  const scene::CoarseLists* coarse = nullptr; // as use_coarse()
+};
+
 class Renderer {
 public:
   // Uploads the scene and compiles what it needs; `scene` and the environment must outlive the
   // renderer.
-  Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDesc& desc);
+  Renderer(gpu::Device& device, const scene::Scene& scene, const FrameDesc& desc,
+           Prepared prepared = {});
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;

@@ -1,6 +1,7 @@
 #include "viewer/loading.h"
 
 #include "core/error.h"
+#include "needs/left_out.h"
 
 #include <filesystem>
 #include <new>
@@ -77,6 +78,15 @@ Loading::Done Loading::read(const Job& job) const {
       done.coarse = std::make_shared<const scene::CoarseLists>(scene::coarse_lists(*done.scene));
     if (!job.pose)
       done.map = commands_.load_environment(job.view, done.scene ? *done.scene : *job.current);
+    if (job.scene && !job.pose) {
+      const frame::FrameDesc desc{
+          .width = job.width,
+          .height = job.height,
+          .camera = commands_.camera(job.view, *done.scene, job.width, job.height),
+          .method = commands_.method(job.view.method),
+          .without = needs::left_out(job.view.without)};
+      done.drawn = Picture::prepare(*done.scene, desc, done.map.has_value());
+    }
   } catch (const std::bad_alloc&) {
     done.failure = std::current_exception();
     done.error = job.view.scene + ": there is not enough memory for it";

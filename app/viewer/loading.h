@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/coarse.h"
+#include "viewer/picture.h"
 #include "viewer/view.h"
 
 #include <condition_variable>
@@ -23,8 +24,9 @@ public:
 
   struct Job {
     View view;
-    bool scene = true; // else the environment alone, for `current`
-    bool pose = false; // the scene alone, at another time of its animation
+    bool scene = true;         // else the environment alone, for `current`
+    bool pose = false;         // the scene alone, at another time of its animation
+    int width = 1, height = 1; // of the picture that is drawn of it
     std::shared_ptr<const scene::Scene> current;
   };
   // Replaces a job that has not begun.
@@ -34,7 +36,8 @@ public:
     View view;
     bool pose = false;
     std::shared_ptr<scene::Scene> scene;              // null if the environment alone was asked for
-    std::shared_ptr<const scene::CoarseLists> coarse; // of it; null with another time of it
+    std::shared_ptr<const scene::CoarseLists> coarse; // of it; null with another time of it,
+    std::shared_ptr<Picture::Drawn> drawn;            // and so is this
     std::optional<environment::Map> map;              // none: no environment
     std::exception_ptr failure;                       // not null: nothing was read,
     std::string error;                                // and this is why

@@ -4,6 +4,7 @@
 #include "core/files.h"
 #include "environment/map.h"
 #include "viewer/application.h"
+#include "viewer/panels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,11 @@ std::vector<std::string> recent_scenes() {
 } // namespace
 
 void Application::open(const std::string& path) {
-  Loading::Job job{.view = session_.view, .scene = true, .current = session_.scene};
+  Loading::Job job{.view = session_.view,
+                   .scene = true,
+                   .width = std::max(width_, 1),
+                   .height = std::max(height_, 1),
+                   .current = session_.scene};
   if (environment::is_map_file(path)) {
     if (!session_.scene) return;
     job.view.env = path;
@@ -58,7 +63,12 @@ void Application::open(const std::string& path) {
 
 void Application::open_first() {
   session_.recent = recent_scenes();
-  loading_.start({.view = session_.view, .scene = true, .current = nullptr});
+  const float panels = panel_width(session_, window_->scale());
+  loading_.start({.view = session_.view,
+                  .scene = true,
+                  .width = std::max(window_->width() - static_cast<int>(panels), 1),
+                  .height = std::max(window_->height(), 1),
+                  .current = nullptr});
 }
 
 void Application::take_loaded() {
@@ -128,7 +138,9 @@ void Application::adopt(Loading::Done done) {
     session_.picked.reset();
     outlined_.reset();
     display_->pick(*session_.scene, scene::none);
-    picture_->open(session_.scene, std::move(done.coarse));
+    // Edits that the file is opened with again may turn a metal into glass.
+    if (!std::ranges::all_of(session_.view.edits, &Edit::empty)) done.drawn->shapes.reset();
+    picture_->open(session_.scene, std::move(done.drawn), std::move(done.coarse));
     forget_speed();
     debug_.reset(); // it draws the scene before
     sight_.reset();

@@ -1,16 +1,33 @@
 #include "viewer/picture.h"
 
+#include "needs/needs.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace gg::viewer {
 
-void Picture::open(std::shared_ptr<const scene::Scene> scene,
+std::shared_ptr<Picture::Drawn> Picture::prepare(const scene::Scene& scene,
+                                                 const frame::FrameDesc& desc, bool is_lit) {
+  auto drawn = std::make_shared<Drawn>(scene);
+  drawn->at = desc.camera.world[3];
+  drawn->origin->move_to(drawn->at);
+  needs::View view = frame::view_of(desc);
+  view.camera.world[3] = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  if (is_lit) view.environment = 0; // bytes, which nothing here depends on
+  drawn->shapes.emplace(drawn->scene);
+  needs::needs_of(drawn->scene, view,
+                  &*drawn->shapes); // which asks for the shapes that such frames need
+  return drawn;
+}
+
+void Picture::open(std::shared_ptr<const scene::Scene> scene, std::shared_ptr<Drawn> drawn,
                    std::shared_ptr<const scene::CoarseLists> coarse) {
   renderer_.reset(); // before the scene that it reads
   pass_ = 0;
   scene_ = std::move(scene);
   coarse_ = std::move(coarse);
-  drawn_scene_ = std::make_shared<Drawn>(*scene_);
+  drawn_scene_ = std::move(drawn);
 }
 
 void Picture::open_as(const Picture& other) {
@@ -61,21 +78,24 @@ void Picture::set_light(float rotation, float intensity) {
 
 void Picture::set(frame::FrameDesc desc, bool exact) {
   desc_ = std::move(desc);
+  exact_ = exact;
   Drawn& drawn = *drawn_scene_;
-  exact |= !renderer_;
-  if (exact) {
-    drawn.at = desc_.camera.world[3];
-    drawn.origin->move_to(drawn.at);
+  if (exact || !renderer_) {
+    const glm::vec3 at = desc_.camera.world[3];
+    if (at != drawn.at) drawn.shapes.reset();
+    drawn.at = at;
+    drawn.origin->move_to(at);
   }
   place(desc_);
   put(scene_->materials);
-  exact_ = exact;
+  const scene::CoarseLists* coarse = exact ? nullptr : coarse_.get();
   if (renderer_) {
     if (exact) renderer_->scene_changed();
-    renderer_->use_coarse(exact ? nullptr : coarse_.get());
+    renderer_->use_coarse(coarse);
     renderer_->set(desc_);
   } else {
-    renderer_ = std::make_unique<frame::Renderer>(device_, drawn.scene, desc_);
+    frame::Prepared prepared{.shapes = std::exchange(drawn.shapes, std::nullopt), .coarse = coarse};
+    renderer_ = std::make_unique<frame::Renderer>(device_, drawn.scene, desc_, std::move(prepared));
   }
   drawn_stack_ = stack_; // until now the renderer read the one before
   drawn_ = 0;

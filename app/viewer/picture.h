@@ -5,6 +5,7 @@
 #include "frame/renderer.h"
 #include "gpu/device.h"
 #include "image/image.h"
+#include "needs/shapes.h"
 #include "scene/coarse.h"
 #include "scene/origin.h"
 #include "scene/scene.h"
@@ -21,10 +22,13 @@ class Picture {
 public:
   explicit Picture(gpu::Device& device) : device_(device) {}
 
-  // Replaces what is drawn; the map may be null. Nothing is drawn before set(). Throws Error. Of the scene a copy is drawn, whose
-  // origin is where the camera is.
-  // `coarse` is used in motion.
-  void open(std::shared_ptr<const scene::Scene> scene,
+  // Of a scene a copy is drawn, whose origin is where the camera is. What takes long for a large one is done here: on any thread,
+  // for frames like `desc`, with an environment or without.
+  struct Drawn;
+  static std::shared_ptr<Drawn> prepare(const scene::Scene& scene, const frame::FrameDesc& desc,
+                                        bool is_lit);
+  // Replaces what is drawn by what was prepared of this scene. Nothing is drawn before set(). `coarse` is used in motion.
+  void open(std::shared_ptr<const scene::Scene> scene, std::shared_ptr<Drawn> drawn,
             std::shared_ptr<const scene::CoarseLists> coarse);
   void open_as(const Picture& other); // the same copy: both have one camera
   // The same scene at another time of its animation.
@@ -72,13 +76,6 @@ public:
   const frame::Renderer& renderer() const { return *renderer_; }
 
 private:
-  struct Drawn {
-    explicit Drawn(const scene::Scene& of) : scene(of) { origin.emplace(scene); }
-    scene::Scene scene;
-    std::optional<scene::Origin> origin;
-    glm::vec3 at{0.0f}; // where its origin is
-  };
-
   void place(frame::FrameDesc& desc) const; // as seen from the drawn scene's origin
   void put(const Materials& materials);     // where renderers know them
 
@@ -95,6 +92,15 @@ private:
   std::size_t pass_ = 0; // of the sample that is being drawn
   gpu::TextureRef texture_;
   float factor_ = 1.0f;
+};
+
+struct Picture::Drawn {
+  explicit Drawn(const scene::Scene& of) : scene(of) { origin.emplace(scene); }
+  scene::Scene scene;
+  std::optional<scene::Origin> origin;
+  glm::vec3 at{0.0f}; // where its origin is
+  std::optional<needs::Shapes>
+      shapes; // of the scene with this origin and the file's materials, until the renderer has them
 };
 
 } // namespace gg::viewer
