@@ -22,13 +22,19 @@ double pixels_per_metre(const scene::Bounds& bounds, const needs::View& view) {
 
 } // namespace
 
-bool is_enough(const scene::CoarseList& coarse, const needs::Draw& draw,
-               const scene::Instance& instance, const needs::View& view) {
+const scene::CoarseList* coarsest(const scene::CoarseLists& lists, const needs::Draw& draw,
+                                  const scene::Instance& instance, const needs::View& view) {
   constexpr double seen = 0.5; // pixels
+  const auto found = lists.find(draw.primitive->indices);
+  if (found == lists.end()) return nullptr;
   float scale = 0.0f;
   for (int axis = 0; axis < 3; ++axis)
     scale = std::max(scale, glm::length(glm::vec3(instance.world[axis])));
-  return static_cast<double>(scale * coarse.error) * pixels_per_metre(draw.bounds, view) <= seen;
+  const double pixels = pixels_per_metre(draw.bounds, view);
+  const scene::CoarseList* enough = nullptr;
+  for (const scene::CoarseList& list : found->second) // their errors rise
+    if (static_cast<double>(scale * list.error) * pixels <= seen) enough = &list;
+  return enough;
 }
 
 } // namespace gg::frame

@@ -7,9 +7,8 @@
 
 namespace gg::frame {
 
-// Whether the coarse list of its primitive stands for the whole one: its error is under half a pixel where the
-// draw is nearest to the eye.
-bool is_enough(const scene::CoarseList& coarse, const needs::Draw& draw,
-               const scene::Instance& instance, const needs::View& view);
+// The coarsest list of its primitive whose error is under half a pixel where the draw is nearest to the eye; null: it is drawn whole.
+const scene::CoarseList* coarsest(const scene::CoarseLists& lists, const needs::Draw& draw,
+                                  const scene::Instance& instance, const needs::View& view);
 
 } // namespace gg::frame

@@ -170,22 +170,19 @@ void UploadedScene::upload_geometry() {
   if (!coarse_) return;
   for (const needs::Draw& draw : needs_->draws.all) {
     const scene::Index i = draw.primitive->indices;
-    const auto list = coarse_->find(i);
-    if (list == coarse_->end()
-        || !is_enough(list->second, draw, *needs_->draws.instances[draw.instance_index],
-                      needs_->view))
-      continue;
-    upload(coarse_indices_[i], "coarse indices ", i, bytes(list->second.indices),
-           gpu::Use::indices);
-    coarsely_drawn_.insert(&draw);
+    const scene::CoarseList* list =
+        coarsest(*coarse_, draw, *needs_->draws.instances[draw.instance_index], needs_->view);
+    if (!list) continue;
+    upload(coarse_indices_[list], "coarse indices ", i, bytes(list->indices), gpu::Use::indices);
+    coarsely_drawn_.emplace(&draw, list);
   }
 }
 
 UploadedScene::Triangles UploadedScene::triangles(const needs::Draw& draw) const {
-  const scene::Index i = draw.primitive->indices;
-  if (coarsely_drawn_.contains(&draw))
-    return {coarse_indices_.at(i), coarse_->at(i).indices.size()};
-  return {indices_.at(i), draw.index_count};
+  const auto coarse = coarsely_drawn_.find(&draw);
+  if (coarse != coarsely_drawn_.end())
+    return {coarse_indices_.at(coarse->second), coarse->second->indices.size()};
+  return {indices_.at(draw.primitive->indices), draw.index_count};
 }
 
 void UploadedScene::upload_blocks() {

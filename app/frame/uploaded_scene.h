@@ -10,7 +10,6 @@
 #include "uniforms/blocks.h"
 
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -58,9 +57,10 @@ private:
 
   gpu::Device& device_;
   const needs::Needs* needs_ = nullptr;
-  std::map<scene::Index, gpu::BufferRef> streams_, indices_, coarse_indices_;
+  std::map<scene::Index, gpu::BufferRef> streams_, indices_;
+  std::map<const scene::CoarseList*, gpu::BufferRef> coarse_indices_;
   const scene::CoarseLists* coarse_ = nullptr;
-  std::set<const needs::Draw*> coarsely_drawn_;
+  std::map<const needs::Draw*, const scene::CoarseList*> coarsely_drawn_;
   UniformArray materials_, instances_, neighbours_;
   std::map<const needs::Draw*, std::size_t> neighbour_blocks_; // of draws that have neighbours
   ImageMeans image_means_;

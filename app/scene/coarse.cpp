@@ -7,10 +7,10 @@
 namespace gg::scene {
 namespace {
 
-constexpr float greatest_error = 0.003f;      // of the mesh's size
-constexpr std::size_t fewest_triangles = 500; // of a mesh that is worth it
+constexpr float greatest_errors[] = {0.003f, 0.01f, 0.03f}; // of the mesh's size
+constexpr std::size_t fewest_triangles = 500;               // of a list that is worth it
 
-CoarseList coarsened(const Indices& whole, const Stream& positions) {
+CoarseList coarsened(const Indices& whole, const Stream& positions, float greatest_error) {
   constexpr std::size_t stride = 3 * sizeof(float);
   CoarseList coarse{.indices = Indices(whole.size())};
   float error = 0.0f; // of the mesh's size
@@ -33,10 +33,17 @@ CoarseLists coarse_lists(const Scene& scene) {
   for (const auto& [list, positions] : positions_of) {
     const Indices& whole = scene.indices[static_cast<std::size_t>(list)];
     if (positions.size() > 1 || whole.size() < 3 * fewest_triangles) continue;
-    CoarseList coarse =
-        coarsened(whole, scene.streams[static_cast<std::size_t>(*positions.begin())]);
-    if (!coarse.indices.empty() && 2 * coarse.indices.size() <= whole.size())
-      lists.emplace(list, std::move(coarse));
+    const Stream& stream = scene.streams[static_cast<std::size_t>(*positions.begin())];
+    std::vector<CoarseList> levels;
+    for (const float error : greatest_errors) {
+      const Indices& finer = levels.empty() ? whole : levels.back().indices;
+      if (finer.size() < 3 * fewest_triangles) break;
+      CoarseList coarse = coarsened(finer, stream, error);
+      if (coarse.indices.empty() || 2 * coarse.indices.size() > finer.size()) continue;
+      if (!levels.empty()) coarse.error += levels.back().error;
+      levels.push_back(std::move(coarse));
+    }
+    if (!levels.empty()) lists.emplace(list, std::move(levels));
   }
   return lists;
 }

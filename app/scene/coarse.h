@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 
 #include <map>
+#include <vector>
 
 namespace gg::scene {
 
@@ -12,12 +13,12 @@ struct CoarseList {
   float error = 0.0f; // how far its surface is from the whole one, about; in mesh space
 };
 
-// By index list. Lists that would keep more than half of their triangles are not there, nor are those that primitives of different
-// vertices share.
-using CoarseLists = std::map<Index, CoarseList>;
+// By index list, the finest first, each with half of the triangles of the one before at most. Index lists that primitives of
+// different vertices share have none.
+using CoarseLists = std::map<Index, std::vector<CoarseList>>;
 
-// Edges collapsed by their quadric error (Garland and Heckbert 1997) up to 0.3 % of the mesh's size. Vertices stay where they
-// are, with their normals; borders and seams stay closed.
+// Edges collapsed by their quadric error (Garland and Heckbert 1997) up to 0.3, 1 and 3 % of the mesh's size. Vertices stay where
+// they are, with their normals; borders and seams stay closed.
 CoarseLists coarse_lists(const Scene& scene);
 
 } // namespace gg::scene

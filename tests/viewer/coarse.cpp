@@ -43,9 +43,16 @@ TEST(coarse, meshes_stay_closed_and_within_their_error) {
       if (found == lists.end()) continue;
       const auto& whole = scene.indices[static_cast<std::size_t>(primitive.indices)];
       const auto& positions = scene.streams[static_cast<std::size_t>(primitive.positions)];
-      EXPECT_LE(2 * found->second.indices.size(), whole.size());
-      EXPECT_LE(open_edges(found->second.indices, positions), open_edges(whole, positions));
-      EXPECT_LE(found->second.error, 0.003f * 2.0f * primitive.bounds.radius());
+      const float size = 2.0f * primitive.bounds.radius();
+      std::size_t finer = whole.size();
+      EXPECT_LE(found->second.front().error, 0.003f * size);
+      for (const scene::CoarseList& list : found->second) {
+        EXPECT_LE(2 * list.indices.size(), finer);
+        EXPECT_LE(open_edges(list.indices, positions), open_edges(whole, positions));
+        EXPECT_LE(list.error,
+                  (0.003f + 0.01f + 0.03f) * size); // errors of lists made one of another add
+        finer = list.indices.size();
+      }
     }
 }
 
