@@ -1,14 +1,9 @@
 // --method auto: which method the scene at hand is best drawn with, found by measuring.
 #pragma once
 
-#include "commands/options.h"
+#include "commands/chosen_method.h"
 
 namespace gg::commands {
-
-struct ChosenMethod {
-  NamedMethod named;
-  bool within_limit = true; // false: --method auto found none that is, and this comes nearest
-};
 
 // The method that --method names. For `auto`: all methods are timed on the scene at its full size,
 // one sample per pixel, and their errors measured against a truth of a small picture of it

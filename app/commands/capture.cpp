@@ -1,5 +1,5 @@
 // groundglass capture: one picture of a scene, offscreen.
-#include "commands/auto_method.h"
+#include "commands/chosen_method.h"
 #include "commands/commands.h"
 #include "commands/json_file.h"
 #include "commands/options.h"
@@ -24,6 +24,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace gg::commands {
 namespace {
@@ -160,7 +161,7 @@ image::Image draw(frame::Renderer& renderer, int samples) {
   return renderer.read();
 }
 
-void capture(const CaptureOptions& o) {
+void capture(const CaptureOptions& o, const MethodChoice& choose_method) {
   check_outputs(o);
   check(o);
   const Size size = parse_size(o.scene.size);
@@ -224,7 +225,7 @@ void capture(const CaptureOptions& o) {
 
 // The frames of an animation, one file each. Device and environment serve them all, and what is on the device as long as nothing
 // but the places of things changes.
-void capture_sequence(CaptureOptions o) {
+void capture_sequence(CaptureOptions o, const MethodChoice& choose_method) {
   check(o);
   if (!o.out.empty() || !o.json.empty() || o.frames > 0)
     throw Error(ExitCode::usage, "--frames-out", "is given with -o, --json or --frames",
@@ -292,7 +293,7 @@ void capture_sequence(CaptureOptions o) {
 
 } // namespace
 
-void add_capture(Command program) {
+void add_capture(Command program, MethodChoice choose_method) {
   auto options = std::make_shared<CaptureOptions>();
   Command command = program.subcommand("capture", "Draw a scene into a picture file");
   add_options(command, options->scene);
@@ -311,8 +312,9 @@ void add_capture(Command program) {
                  "Time so many frames of one sample per pixel and print the times");
   command.option("--json", &options->json,
                  "Write device, sizes and times to this file, or to standard output: -");
-  command.action([options] {
-    options->sequence.directory.empty() ? capture(*options) : capture_sequence(*options);
+  command.action([options, choose_method = std::move(choose_method)] {
+    options->sequence.directory.empty() ? capture(*options, choose_method)
+                                        : capture_sequence(*options, choose_method);
   });
 }
 

@@ -1,9 +1,11 @@
 #include "commands/commands.h"
 
+#include "commands/auto_method.h"
+
 namespace gg::commands {
 
 void add_all(Command program) {
-  add_capture(program);
+  add_capture(program, choose_method);
   add_compare(program);
   add_convert(program);
   add_devices(program);

@@ -13,13 +13,16 @@
 // CLI11 is seen by command_line.cpp alone. Trouble is reported by throwing gg::Error.
 #pragma once
 
+#include "commands/chosen_method.h"
 #include "commands/command_line.h"
 
 namespace gg::commands {
 
-void add_all(Command program); // in the order in which --help shows them
+void add_all(
+    Command
+        program); // in the order in which --help shows them; in capture_alone.cpp: capture by itself
 
-void add_capture(Command program);
+void add_capture(Command program, MethodChoice choose_method);
 void add_compare(Command program);
 void add_convert(Command program);
 void add_devices(Command program);

@@ -92,10 +92,14 @@ void add_background(Command command, SceneOptions& o) {
 }
 
 void add_options(Command command, DeviceOptions& o) {
-  command.option("--backend", &o.backend, "opengl, vulkan, or auto: the first that works");
+  add_window_options(command, o);
   command.option(
       "--surface", &o.surface,
       "What OpenGL draws with when there is no window: egl or osmesa (the first that works)");
+}
+
+void add_window_options(Command command, DeviceOptions& o) {
+  command.option("--backend", &o.backend, "opengl, vulkan, or auto: the first that works");
   command.option("--device", &o.device, "Index from `groundglass devices`");
 }
 

@@ -53,6 +53,8 @@ void add_options(Command command, SceneOptions& options);
 void add_view_options(Command command, SceneOptions& options);
 void add_background(Command command, SceneOptions& options);
 void add_options(Command command, DeviceOptions& options);
+// The same for a window, which is its own surface.
+void add_window_options(Command command, DeviceOptions& options);
 void add_options(Command command, MethodOptions& options);
 // --budget and --max-error, for the command that takes --method auto.
 void add_automatic(Command command, MethodOptions& options);

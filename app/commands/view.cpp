@@ -163,8 +163,6 @@ void check(const ViewOptions& o) {
     throw Error(ExitCode::usage, "--fps", "must be more than 0");
   if (!(o.scale >= 0.0f && o.scale <= 8.0f))
     throw Error(ExitCode::usage, "--scale", "must be from 0 to 8");
-  if (!o.device.surface.empty())
-    throw Error(ExitCode::usage, "--surface", "is of pictures without a window", "Leave it out.");
   frame::parse_tone_map(o.tonemap);
   parse_method(o.method.method);
   if (!o.settings.second.empty()) {
@@ -238,7 +236,7 @@ void add_view(Command program) {
                  "A glTF 2.0 file, .gltf or .glb; without one, the demo");
   add_view_options(command, options->scene);
   add_background(command, options->scene);
-  add_options(command, options->device);
+  add_window_options(command, options->device);
   add_options(command, options->method);
   viewer::Settings& settings = options->settings;
   command.option("--exposure", &options->exposure, "Stops of brightness added");

@@ -2,6 +2,7 @@
 
 #include "core/clean_up.h"
 #include "core/error.h"
+#include "core/suggest.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -48,6 +49,18 @@ void on_interrupt(int) {
 
 std::string reason() {
   return std::strerror(errno);
+}
+
+// "Did you mean FILE? " of the files beside one that does not exist, or nothing.
+std::string meant(const fs::path& path) {
+  constexpr std::size_t most = 4096; // names looked at: milliseconds in any folder
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (fs::directory_iterator i(path.has_parent_path() ? path.parent_path() : ".", ignored), end;
+       !ignored && i != end && names.size() < most; i.increment(ignored))
+    names.push_back(i->path().filename().string());
+  std::ranges::sort(names); // the same answer whatever the order in the folder
+  return did_you_mean(path.filename().string(), names);
 }
 
 bool is_home(const fs::path& directory) {
@@ -150,7 +163,7 @@ std::vector<std::byte> read_file(const fs::path& path, std::size_t limit_bytes) 
   const std::uintmax_t size = fs::file_size(path, error);
   if (error)
     throw Error(ExitCode::input, path, "cannot be read: " + error.message(),
-                "Check the path and its permissions.");
+                meant(path) + "Check the path and its permissions.");
   if (size > limit_bytes)
     throw Error(ExitCode::input, path,
                 "is " + std::to_string(size) + " bytes, more than the "

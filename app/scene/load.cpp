@@ -156,7 +156,7 @@ Scene load(const std::filesystem::path& path, const std::optional<Instant>& inst
 
 Scene File::at(const std::optional<Instant>& instant) {
   Document& document = contents_->document;
-  document.begin_anew();
+  document.restart_budget();
   Scene scene;
   scene.path = contents_->path;
   scene.animations = animation_names(document);

@@ -241,7 +241,7 @@ void Integrator::follow(Walk& walk, Path path, const Intersection& m, const Draw
   }
   if (!alone && !m.right_side(drawn.wi, across)) {
     if (m.by_triangle) return;
-    // The power that was drawn is scattered anew: without the change of radiance across an
+    // The power that was drawn is scattered again: without the change of radiance across an
     // interface that it does not cross this way.
     path.throughput *= eta2;
     walk.at_surfaces.emplace_back(path, m);

@@ -3,7 +3,7 @@
 // a render that is resumed draws what it would have drawn.
 //
 // The first numbers of a pixel's samples (where in the pixel, which light, which facet) are stratified:
-// the samples come in batches, and those of one batch are points of a (0,2)-sequence, scrambled anew for each
+// the samples come in batches, and those of one batch are points of a (0,2)-sequence, scrambled for each
 // batch and each pair of numbers. Each number of each sample is uniform, so that nothing is biased;
 // batches are independent, so that their scatter says how wrong their mean is.
 #pragma once

@@ -124,13 +124,15 @@ TEST(capture, names_what_is_wrong_with_its_options) {
 }
 
 TEST(commands, ask_whether_something_near_was_meant) {
-  const auto expect = [](const std::vector<std::string>& words, const std::string& meant) {
+  const auto expect = [](const std::vector<std::string>& words, const std::string& meant,
+                         int code = 2) {
     const Finished f = run_program(words);
-    EXPECT_EQ(f.code, 2) << f.err;
+    EXPECT_EQ(f.code, code) << f.err;
     EXPECT_TRUE(f.err.starts_with("groundglass: ")) << f.err;
     EXPECT_NE(f.err.find("Did you mean " + meant + "?"), std::string::npos) << f.err;
   };
   expect({"captrue", suzanne}, "capture");
+  expect({"needs", asset("scenes/ball-gird.glb")}, "ball-grid.glb", 3);
   expect({"captur", suzanne, "-o", "a.png"}, "capture"); // not "-o is not an option"
   expect({"capture", suzanne, "--ouput", "a.png"}, "--output");
   expect({"capture", suzanne, "-o", out("a.png"), "--method", "lobs2"}, "lobes2");

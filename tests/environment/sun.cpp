@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gg::environment {
+namespace gg::environment::sun_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -69,4 +69,4 @@ TEST(sun, is_none_where_a_window_is_bright_and_wide) {
   EXPECT_EQ(sun.irradiance, glm::dvec3(0.0));
 }
 
-} // namespace gg::environment
+} // namespace gg::environment::sun_test

@@ -227,7 +227,7 @@ TEST(needs, glass_behind_glass_takes_two_layers_the_farther_one_first) {
 }
 
 // A ball makes an image near itself, a plate shows what is behind it where that is.
-TEST(needs, depth_is_taken_anew_behind_what_makes_images) {
+TEST(needs, depth_is_copied_again_behind_what_makes_images) {
   const auto depths_taken = [](scene::Scene scene) {
     add(scene, box(glass(0.3f)), at({0, 0, 3}));
     const Needs needs = needs::needs_of(scene, view());
@@ -346,7 +346,7 @@ TEST(needs, glass_is_brushed_where_it_has_tangents) {
 
 TEST(needs, the_depth_of_glass_is_taken_where_it_may_hide_parts_of_a_solid_drawn_later) {
   const auto taken = [](float z, scene::Material material) {
-    scene::Scene scene = box(glass(0.1f)); // flat faces: what lookups meet is not taken anew
+    scene::Scene scene = box(glass(0.1f)); // flat faces: what lookups meet is not copied again
     scene.instances[0].world = at({0.9f, 0, z});
     add(scene, ball(material), at({-0.9f, 0, 0}));
     const Needs needs = needs::needs_of(scene, view());

@@ -137,7 +137,7 @@ TEST(needs, glass_that_cannot_be_seen_is_not_drawn) {
   expect_same(draw(plain), draw(laden));
 }
 
-// A renderer that is set to another frame draws it as a new one does, and makes nothing anew for a frame of the same kind.
+// A renderer that is set to another frame draws it as a new one does, and creates nothing for a frame of the same kind.
 TEST(needs, a_frame_that_is_set_is_the_frame_that_is_made) {
   scene::Scene scene = neighbours();
   const auto desc = [](int width, const glm::vec3& eye, frame::Method method) {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace gg::test {
+namespace gg::test::neighbours {
 namespace {
 
 constexpr int size = 128;
@@ -94,4 +94,4 @@ TEST_P(Render, a_lamp_over_a_ball_is_not_seen_through_it_in_the_ball_below) {
   EXPECT_LT(sum / pixels, most);
 }
 
-} // namespace gg::test
+} // namespace gg::test::neighbours

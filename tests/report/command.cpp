@@ -108,7 +108,7 @@ TEST(report_command, has_a_point_for_each_number_of_samples_with_its_own_time_an
   EXPECT_NE(cells[1].at("command").get<std::string>().find("--samples 4"), std::string::npos);
 }
 
-TEST(report_command, goes_on_tracing_where_more_is_asked_for_and_damaged_results_are_made_anew) {
+TEST(report_command, goes_on_tracing_where_more_is_asked_for_and_damaged_results_are_made_again) {
   const fs::path cache = scratch_directory() / "report" / "cache";
   ASSERT_EQ(run_program(words({"--methods", "lobes1"})).code, 0);
   auto more = words({"--methods", "lobes1"});

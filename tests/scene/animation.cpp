@@ -10,8 +10,6 @@
 namespace gg::test {
 namespace {
 
-constexpr float rounding = 1e-6f; // of a few float operations on values of about 1
-
 // A triangle and an animation of node 0 along `path`.
 struct Moving {
   GltfFile file;

@@ -17,8 +17,6 @@ using namespace gg::test;
 
 namespace {
 
-constexpr float rounding = 1e-6f; // a few operations on numbers of size 1
-
 nlohmann::json with_normal_map(GltfFile& file) {
   file.json["images"].push_back(
       {{"uri", "data:image/png;base64,"
@@ -116,7 +114,7 @@ TEST(tangents, of_coordinates_without_extent_are_perpendicular_to_the_normal) {
   }
 }
 
-TEST(tangents, of_zero_length_are_made_anew) {
+TEST(tangents, of_zero_length_are_generated) {
   GltfFile file;
   const int positions = file.accessor<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, "VEC3");
   const int normals = file.accessor<float>({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");

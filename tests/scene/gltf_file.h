@@ -13,6 +13,9 @@
 
 namespace gg::test {
 
+// Of a few float operations on numbers of about 1: ten times their last bit.
+inline constexpr float rounding = 1e-6f;
+
 template <class T>
 constexpr int component_type() {
   if constexpr (std::is_same_v<T, std::int8_t>) return 5120;

@@ -20,8 +20,6 @@ using namespace gg::test;
 
 namespace {
 
-constexpr float rounding = 1e-6f;
-
 // One red pixel.
 constexpr const char* red_png =
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mP4z8AAAAMBAQD3A0FDAAAAAElFTkSuQmCC";

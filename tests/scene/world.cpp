@@ -18,7 +18,6 @@ using namespace gg::test;
 
 namespace {
 
-constexpr float rounding = 1e-6f;
 constexpr float quarter = std::numbers::sqrt2_v<float> / 2; // sin and cos of a quarter turn's half
 
 const nlohmann::json about_z = {0, 0, quarter, quarter}; // a quarter turn: x to y

@@ -22,10 +22,6 @@ EnvironmentLight half_white() {
   return EnvironmentLight(std::move(map), 0.0, 1.0);
 }
 
-scene::Material unlit(float grey) {
-  return {.name = "unlit", .base_color = {grey, grey, grey, 1.0f}, .unlit = true};
-}
-
 // The ball's one mesh in two parts of two materials: its upper and its lower triangles.
 scene::Scene ball_in_two_parts(const scene::Material& upper, const scene::Material& lower) {
   scene::Scene scene;

@@ -124,6 +124,10 @@ scene::Material thin_glass(float alpha) {
   return m;
 }
 
+scene::Material unlit(float grey) {
+  return {.name = "unlit", .base_color = {grey, grey, grey, 1.0f}, .unlit = true};
+}
+
 scene::Camera orthographic(float half_height, float distance) {
   scene::Camera camera;
   camera.world[3] = glm::vec4(0.0f, 0.0f, distance, 1.0f);

@@ -18,6 +18,7 @@ void add_box(scene::Scene& scene, const scene::Material& material, glm::vec3 cen
 scene::Material metal(float alpha);      // reflects everything (F = 1)
 scene::Material glass(float alpha);      // solid, index 1.5
 scene::Material thin_glass(float alpha); // a wall
+scene::Material unlit(float grey);       // shines by itself, the same in every direction
 
 // Looks along -Z from (0, 0, distance), `half_height` metres to each side.
 scene::Camera orthographic(float half_height, float distance = 10.0f);

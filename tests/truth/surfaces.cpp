@@ -18,10 +18,6 @@ constexpr double rounding = 4e-6; // see closed_forms.cpp
 const Ray from_front{{0.1, 0.05, 5.0}, {0.0, 0.0, -1.0}};
 const Ray from_behind{{0.1, 0.05, -5.0}, {0.0, 0.0, 1.0}};
 
-scene::Material unlit(float grey) {
-  return {.name = "unlit", .base_color = {grey, grey, grey, 1.0f}, .unlit = true};
-}
-
 glm::dvec3 seen(const scene::Scene& scene, const Ray& ray, long samples = 100,
                 const EnvironmentLight* environment = nullptr) {
   return trace(Integrator(scene, environment, std::nullopt, {}), ray, samples).mean;

@@ -44,7 +44,7 @@ public:
   // Throws as spend(bytes, place) would, and takes nothing.
   void afford(std::size_t bytes, const std::string& place) const;
   // Another scene is made of the file: what the one before unpacked is paid back, but for what is kept here.
-  void begin_anew() { spent_ = kept_; }
+  void restart_budget() { spent_ = kept_; }
 
 private:
   void afford_elements() const;
