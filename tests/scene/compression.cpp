@@ -1,6 +1,8 @@
 // Compressed geometry comes out as it went in.
+#include "core/error.h"
 #include "scene/grid.h"
 #include "scene/load.h"
+#include "support/errors.h"
 
 #include <gtest/gtest.h>
 
@@ -44,6 +46,16 @@ TEST(draco, is_decoded_once_for_primitives_that_share_it) {
   EXPECT_EQ(scene.meshes.size(), 2u);
   EXPECT_EQ(scene.streams.size(), 2u);
   EXPECT_EQ(scene.indices.size(), 1u);
+}
+
+TEST(draco, a_method_that_does_not_exist_is_refused) {
+  GltfFile file;
+  file.mesh(with_draco(file, Grid(3)));
+  const std::string_view all(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
+  constexpr std::size_t method_at = 8; // after the name, two bytes of version and the kind
+  file.bytes.at(all.find("DRACO") + method_at) = std::byte{7};
+  EXPECT_TRUE(fails_with(ExitCode::input, {"KHR_draco_mesh_compression", "method 7"},
+                         [&] { scene::load(file.save()); }));
 }
 
 TEST(meshopt, gives_back_the_mesh) {

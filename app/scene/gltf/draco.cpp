@@ -105,6 +105,10 @@ DracoMesh::DracoMesh(std::span<const std::byte> bytes, const std::string& file,
   if (!draco::PointCloudDecoder::DecodeHeader(&ahead, &head).ok()
       || head.encoder_type != draco::TRIANGULAR_MESH)
     fail(file_, place_, "is not a Draco-compressed triangle mesh");
+  if (head.encoder_method > draco::MESH_EDGEBREAKER_ENCODING)
+    fail(file_, place_,
+         fmt::format("is compressed by Draco's method {}, which does not exist",
+                     head.encoder_method));
   try {
     decoded_->mesh = std::make_unique<draco::Mesh>();
     const draco::Status status =
