@@ -85,8 +85,7 @@ uniforms::NeighbourData block_of(const Maps& maps, const Material& m) {
   block.emission = glm::vec4(m.emissive * maps.mean(m.emissive_map, true), 0.0f);
   if (needs::is_refractive(m)) {
     block.emission.w = std::max(m.ior, 1.0f);
-    // Light that is lost between rough facets, about.
-    block.through = glm::vec4(transmitted * (1.0f - 0.45f * alpha) * color, 0.0f);
+    block.through = glm::vec4(transmitted * color, 0.0f);
   }
   return block;
 }

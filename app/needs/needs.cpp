@@ -66,6 +66,24 @@ void add_hollows(Needs& needs, Shapes& shapes) {
   }
 }
 
+bool has_light(const scene::Scene& scene, const View& view) {
+  return view.environment || !scene.lights.empty()
+         || std::ranges::any_of(scene.materials, [](const scene::Material& m) {
+              return m.unlit || m.emissive != glm::vec3(0.0f);
+            });
+}
+
+// Without an environment opaque bodies reflect what lights their neighbours.
+void add_lobes_of_neighbours(std::vector<Draw>& draws, const View& view) {
+  for (Draw& draw : draws)
+    if (gathers_light(draw) && value_of(draw.key, Feature::environment) == 0)
+      set_value(
+          draw.key, Feature::lobe_count,
+          value_of(draw.key, Feature::smooth) != 0
+              ? 1
+              : reflection_lobes(view.method, model_of(*draw.material, view.correlated_smith)));
+}
+
 // Of one lobe, where it is looked up.
 int lookups_per_lobe(Method method, int lobes) {
   const int number = static_cast<int>(method);
@@ -78,7 +96,7 @@ Lookups lookups_of(const Draw& draw, Method method) {
   Lookups lookups;
   // Glass reflects little: its lobes are merged into one (stages/environment_light.glsl).
   const bool refracts = draw.role == Role::refractive;
-  if (value_of(draw.key, Feature::environment) != 0)
+  if (gathers_light(draw))
     lookups.reflected =
         refracts ? 1 : lookups_per_lobe(method, value_of(draw.key, Feature::lobe_count));
   if (!refracts) return lookups;
@@ -128,10 +146,11 @@ Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes) {
   needs.sky = view.environment.has_value();
   needs.has_neighbours = needs.sky && needs.draws.all.size() > 1 && view.method != Method::standard;
   if (view.method != Method::standard) needs.walls = walls_of(scene, needs.draws);
-  if (view.method != Method::standard && (needs.sky || !scene.lights.empty())) {
+  if (view.method != Method::standard && has_light(scene, view)) {
     needs.proxies = shapes->proxies();
     if (!has(view.without, Feature::neighbours))
       find_neighbours(needs.draws, scene, *needs.proxies);
+    add_lobes_of_neighbours(needs.draws.all, view);
   }
   if (view.method != Method::standard && !has(view.without, Feature::hollows))
     add_hollows(needs, *shapes);

@@ -103,7 +103,7 @@ vec3 coatRadiance(Surface s) {
     if (!hasCoat) return vec3(0.0);
     Surface coat = coatSurface(s);
     vec3 sum = vec3(0.0);
-    if (hasEnvironment) sum += coatEnvironment(coat);
+    if (gathersLight) sum += coatEnvironment(coat);
     if (hasLights) sum += coatLights(coat);
     return coatKeeps(s, coat) * sum;
 }

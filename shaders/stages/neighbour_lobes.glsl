@@ -27,33 +27,41 @@ PassedOn nothingPassedOn() {
 const float UNSURE = 0.05;
 const float UNSURE_BALL = 0.02;
 
-// Through a ball, which bends each ray by 2 (i - t) about its axis (Snell's i and t) and spreads a cone by the derivatives of
-// that; or straight through a pane. weight: of the lobe that meets it.
+// Through a ball, which turns each ray about its axis and spreads a cone by the derivatives of that (stages/neighbour_passed.glsl),
+// or straight through a pane. weight: of the lobe that meets it.
 PassedOn withPassed(PassedOn on, NeighbourData o, LobeShare met, vec3 p, vec3 weight) {
     vec3 leaves = met.direction;
     vec3 point = met.distance * met.direction;
-    float spread = 1.0;
+    float variance = met.sigma * met.sigma;
+    float alpha = o.base.w;
     float ior = ofPixel(o.emission.w);
     float c = max(dot(-met.direction, met.n), 0.05);
+    float rough;
     if (isSphere(o)) {
-        float cosT = sqrt(max(1.0 - (1.0 - c * c) / (ior * ior), 0.0025));
-        vec3 inside = met.direction / ior + (c / ior - cosT) * met.n;
-        // The chord mirrors the normal: the second face bends by as much as the first.
-        vec3 far = met.n + 2.0 * cosT * inside;
-        leaves = normalize(ior * inside - (ior * cosT - c) * far);
-        point += 2.0 * cosT * o.centre.w * inside;
-        float reach = 2.0 * length(o.centre.xyz - p) / o.centre.w;
-        float across = 1.0 - reach * (1.0 - 1.0 / ior);
-        float along = 1.0 - reach * (1.0 - c / (ior * cosT)); // cos i cancels: a cone meets the ball at a slant
-        spread = 0.5 * (across * across + along * along);
+        vec3 centre = o.centre.xyz - p;
+        float range = length(centre);
+        vec3 towardsAxis = -met.n - c * met.direction; // its length is sin of incidence
+        // The cone meets the ball at a disc, whose sigma over the ball's radius is added to sin of incidence.
+        float disc = met.sigma / asin(min(o.centre.w / range, 0.999));
+        c = sqrt(max(c * c - 2.0 * disc * disc, 0.01)); // where the fits end
+        float turned = ballDeflection(alpha, ior, c);
+        leaves = normalize(met.direction + turned * towardsAxis);
+        point = centre + o.centre.w * leaves;
+        float cosT = sqrt(1.0 - (1.0 - c * c) / (ior * ior));
+        float reach = range / o.centre.w;
+        float across = 1.0 - reach * turned;
+        float along = 1.0 - 2.0 * reach * (1.0 - c / (ior * cosT)); // cos i cancels: a cone meets the ball at a slant
+        variance *= 0.5 * (across * across + along * along);
+        rough = ballSigma(alpha, ior, c);
+    } else {
+        rough = paneSigma(alpha, ior, c);
     }
     float share = weight.y;
-    float rough = 1.5 * o.base.w; // fitted to the ball grid's gold in all its widths
     float unsure = ofPixel(o.through.w) > 0.0 ? UNSURE_BALL : UNSURE;
     on.weight += weight * passedBy(o, c);
     on.point += share * (p + point);
     on.direction += share * leaves;
-    on.variance += share * (met.sigma * met.sigma * spread + rough * rough + unsure * unsure);
+    on.variance += share * (variance + rough * rough + unsure * unsure);
     on.share += share;
     return on;
 }

@@ -11,6 +11,7 @@
 #include "neighbours/proxy_lobe.glsl"
 #include "stages/far_radiance.glsl"
 #include "stages/light_arrival.glsl"
+#include "stages/neighbour_passed.glsl"
 
 const bool spheresAround = (neighbourKinds & 1) != 0;
 const bool rectanglesAround = (neighbourKinds & 2) != 0;
@@ -165,10 +166,10 @@ LobeShare neighbourShare(NeighbourData o, vec3 centre, vec3 direction, float sig
     return rectangleShare(centre, o.sideU.xyz, o.sideV.xyz, direction, sigma);
 }
 
-// The transmittance of glass at a cosine to its normal.
+// The transmittance of glass at a cosine to its normal, of light that leaves where it first meets the far face.
 vec3 passedBy(NeighbourData o, float cosine) {
-    vec3 kept = 1.0 - proxyFresnel(o.f0.xyz, o.f0.w, cosine, o.base.w);
-    return kept * kept * o.through.xyz;
+    vec3 kept = 1.0 - proxyFresnel(o.f0.xyz, o.f0.w, cosine, 0.0);
+    return kept * kept * passedShare(o.base.w, ofPixel(o.emission.w), cosine) * o.through.xyz;
 }
 
 #include "stages/neighbour_shadows.glsl"

@@ -15,7 +15,7 @@
 vec3 opaqueRadiance(Surface s) {
     if (hasHollows) s.hollow = clamp(inHollow, 0.0, 1.0);
     vec3 radiance = s.emissive;
-    if (hasEnvironment) {
+    if (gathersLight) {
         if (method >= 100) radiance += sampledLight(s, method - 100);
         else radiance += environmentLight(s);
     }

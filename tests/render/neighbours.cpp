@@ -1,11 +1,14 @@
 // Neighbours in pictures: what a rough ball reflects of them moves as smoothly as the camera does.
+#include "glsl/f64.h"
 #include "render/harness.h"
 #include "render/shapes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace gg::test::neighbours {
@@ -36,7 +39,76 @@ std::vector<double> changes(const image::Image& a, const image::Image& b,
   return change;
 }
 
+// What of the light that meets a ball of rough glass is reflected, or leaves where it first meets the far face: paths by visible
+// normals of GGX with separable Smith. Directions are local at each face; a ball's chord mirrors its normal, so that the far
+// face is met at the angle from the normal at which the near one was left.
+double leaves_a_ball(double alpha, double ior, double c) {
+  using namespace glsl::f64;
+  constexpr int paths = 4000;
+  const auto facet = [&](const glm::dvec3& wo, double eta, double u, double v) {
+    const glm::dvec3 wm = ggxSampleVisible(wo, glm::dvec2(alpha), glm::dvec2(u, v));
+    const double cosine = glm::dot(wo, wm);
+    const double passed = cosine > 0.0 ? fresnelTransmittedAt(cosine, eta) : 0.0;
+    return std::array<glm::dvec3, 2>{wm, glm::dvec3(cosine, passed, 0.0)};
+  };
+  double sum = 0.0;
+  for (int i = 0; i < paths; ++i) {
+    std::array<double, 4> u{}; // Roberts' lattice: powers of the root of x^5 = x + 1
+    double step = 1.0;
+    for (double& x : u) {
+      step /= 1.1673039782614187;
+      x = 0.5 + (i + 1) * step;
+      x -= std::floor(x);
+    }
+    const glm::dvec3 wo(std::sqrt(1.0 - c * c), 0.0, c);
+    const auto [wm, first] = facet(wo, ior, u[0], u[1]);
+    if (!(first.x > 0.0)) continue;
+    const glm::dvec3 back = reflectAbout(wo, wm), inside = refractAbout(wo, wm, ior);
+    if (back.z > 0.0) sum += (1.0 - first.y) * ggxG1(tilt(back), alpha);
+    if (!(inside.z < 0.0)) continue;
+    const glm::dvec3 from_within = glm::normalize(glm::dvec3(inside.x, inside.y, -inside.z));
+    const auto [far_wm, second] = facet(from_within, 1.0 / ior, u[2], u[3]);
+    const glm::dvec3 outside = refractAbout(from_within, far_wm, 1.0 / ior);
+    if (second.x > 0.0 && outside.z < 0.0)
+      sum += first.y * ggxG1(tilt(inside), alpha) * second.y * ggxG1(tilt(outside), alpha);
+  }
+  return sum / paths;
+}
+
 } // namespace
+
+// The fit's limits (stages/neighbour_passed.glsl) and those of the reflected lobe's albedo (neighbours/proxy_lobe.glsl).
+TEST_P(Render, a_mirror_sees_rough_glass_pass_what_paths_do) {
+  constexpr double off = 0.09;
+  const auto sky = environment_of(64, [](glm::dvec3) { return glm::dvec3(1.0); });
+  const glm::dvec3 eye(6.0, 0.0, 4.5);
+  const scene::Camera camera = camera_at(glm::vec3(eye));
+  for (const float roughness : {0.387298f, 0.591608f, 0.836660f}) { // alpha .15, .35, .7
+    scene::Scene scene = ball(glass(roughness));
+    add(scene, square(metal(0.0f)),
+        glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, -1.5f)),
+                   glm::vec3(4.0f, 4.0f, 1.0f)));
+    const auto drawn =
+        draw(scene, {sky, {.width = size, .height = size, .samples = 1, .camera = camera}});
+    int compared = 0;
+    for (int y = 0; y < size; y += 3)
+      for (int x = 0; x < size; x += 3) {
+        const glm::dvec3 d = view_direction(camera, size, size, x, y);
+        if (hit_ball(eye, d) || !(d.z < 0.0)) continue;
+        const glm::dvec3 mirror = eye + ((-1.5 - eye.z) / d.z) * d;
+        const glm::dvec3 seen(d.x, d.y, -d.z);
+        const auto hit = hit_ball(mirror, seen);
+        if (!hit || std::max(std::abs(mirror.x), std::abs(mirror.y)) > 3.9) continue;
+        const double c = glm::dot(*hit, -seen);
+        if (c < 0.35) continue;
+        const double alpha = static_cast<double>(roughness) * static_cast<double>(roughness);
+        ASSERT_NEAR(drawn.at(x, y, 1), leaves_a_ball(alpha, 1.5, c), off)
+            << "alpha " << alpha << " cosine " << c;
+        ++compared;
+      }
+    EXPECT_GT(compared, 15);
+  }
+}
 
 TEST_P(Render, a_rough_ball_among_others_changes_smoothly_as_the_camera_turns) {
   scene::Scene scene = ball(metal(0.55f)); // all others beside or behind it
@@ -66,6 +138,27 @@ TEST_P(Render, a_rough_ball_among_others_changes_smoothly_as_the_camera_turns) {
       }
     }
   EXPECT_GT(compared, 1000);
+}
+
+TEST_P(Render, without_an_environment_bodies_show_what_shines_and_is_lit_beside_them) {
+  constexpr double rounding = 1e-4;
+  scene::Scene scene = ball(metal(0.4f));
+  const auto at = [](const glm::vec3& place) { return glm::translate(glm::mat4(1.0f), place); };
+  add(scene, ball(unlit(glm::vec3(2.0f))), at({2.1f, 0.0f, 0.3f}));
+  add(scene, ball(dielectric(0.5f)), at({-2.1f, 0.0f, 0.3f}));
+  scene.lights.push_back({.kind = scene::LightKind::directional, .intensity = glm::vec3(3.0f)});
+  const frame::FrameDesc desc{
+      .width = size, .height = size, .samples = 1, .camera = camera_at({0.0f, 0.0f, 8.0f})};
+  const auto none = draw(scene, {std::nullopt, desc});
+  const auto black =
+      draw(scene, {environment_of(64, [](glm::dvec3) { return glm::dvec3(0.0); }), desc});
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      ASSERT_NEAR(none.at(x, y, 1), black.at(x, y, 1), rounding) << x << ' ' << y;
+  // The sides of the metal that look at the two.
+  const int beside = size * 9 / 80; // pixels, three quarters of the ball's radius
+  EXPECT_GT(none.at(size / 2 + beside, size / 2, 1), 0.2f);
+  EXPECT_GT(none.at(size / 2 - beside, size / 2, 1), 0.02f);
 }
 
 TEST_P(Render, a_lamp_over_a_ball_is_not_seen_through_it_in_the_ball_below) {
