@@ -76,13 +76,6 @@ struct Draws {
   std::size_t invisible = 0; // the same: glass of IOR 1 that does nothing
 };
 
-// Whether it reflects more than punctual lights: an environment, or neighbours that shine or are lit (glass shows these only
-// where there is an environment).
-inline bool gathers_light(const Draw& draw) {
-  return value_of(draw.key, Feature::environment) != 0
-         || (draw.role != Role::refractive && value_of(draw.key, Feature::neighbours) != 0);
-}
-
 // What a draw is of: indices of its instance into the scene, and of its primitive into the instance's mesh.
 std::pair<std::size_t, std::size_t> place_in(const scene::Scene& scene, const Draws& draws,
                                              const Draw& draw);

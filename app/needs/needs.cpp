@@ -75,13 +75,14 @@ bool has_light(const scene::Scene& scene, const View& view) {
 
 // Without an environment opaque bodies reflect what lights their neighbours.
 void add_lobes_of_neighbours(std::vector<Draw>& draws, const View& view) {
-  for (Draw& draw : draws)
-    if (gathers_light(draw) && value_of(draw.key, Feature::environment) == 0)
-      set_value(
-          draw.key, Feature::lobe_count,
-          value_of(draw.key, Feature::smooth) != 0
-              ? 1
-              : reflection_lobes(view.method, model_of(*draw.material, view.correlated_smith)));
+  for (Draw& draw : draws) {
+    if (draw.role == Role::refractive || value_of(draw.key, Feature::environment) != 0
+        || value_of(draw.key, Feature::neighbours) == 0)
+      continue;
+    const bool smooth = value_of(draw.key, Feature::smooth) != 0;
+    const tables::Model model = model_of(*draw.material, view.correlated_smith);
+    set_value(draw.key, Feature::lobe_count, smooth ? 1 : reflection_lobes(view.method, model));
+  }
 }
 
 // Of one lobe, where it is looked up.
@@ -96,7 +97,7 @@ Lookups lookups_of(const Draw& draw, Method method) {
   Lookups lookups;
   // Glass reflects little: its lobes are merged into one (stages/environment_light.glsl).
   const bool refracts = draw.role == Role::refractive;
-  if (gathers_light(draw))
+  if (value_of(draw.key, Feature::lobe_count) != 0)
     lookups.reflected =
         refracts ? 1 : lookups_per_lobe(method, value_of(draw.key, Feature::lobe_count));
   if (!refracts) return lookups;

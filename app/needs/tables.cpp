@@ -85,7 +85,7 @@ std::vector<Table> tables_of(const std::vector<Draw>& draws, const View& view) {
       if (!same(model_of(*draw.material, view.correlated_smith), model)) continue;
       if (value_of(draw.key, Feature::smooth) != 0) continue;
       const bool lit = value_of(draw.key, Feature::shading) != static_cast<int>(Shading::unlit);
-      reflects = reflects || (lit && gathers_light(draw));
+      reflects = reflects || (lit && value_of(draw.key, Feature::lobe_count) != 0);
       if (draw.role != Role::refractive || draw.is_straight()) continue;
       (draw.is_solid() ? transmits : has_walls) = true;
     }

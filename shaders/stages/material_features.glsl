@@ -51,5 +51,5 @@ layout(constant_id = 45) const bool hasHollows = false; // vertices hold the sha
 layout(constant_id = 26) const int interiorPairs = 0; // of front and back faces that the inside is followed through
 
 const bool hasLights = lighting != 0;
-const bool gathersLight = hasEnvironment || (neighbourKinds != 0 && method < 100); // fisN samples the environment alone
+const bool gathersLight = (neighbourKinds != 0 && method < 100) || hasEnvironment; // fisN samples the environment alone
 const int brushedLobes = transmission > 0 ? 0 : brushing; // glass: stages/brushed_glass.glsl

@@ -31,6 +31,12 @@ CosineShare sphereCosineShare(NeighbourData o, vec3 centre, vec3 n) {
     return s;
 }
 
+// The cosine-weighted middle of what lies above the horizon of a cap, from its axis: of a floor that meets a wall pi/2 times as much
+// along the wall's normal as down; of a cap that does not reach the horizon its axis.
+vec3 aboveHorizon(vec3 axis, float sin2, vec3 n) {
+    return normalize(axis + 1.5707963 * max(sqrt(sin2) - dot(axis, n), 0.0) * n + LEAST_LENGTH * n);
+}
+
 CosineShare rectangleCosineShare(NeighbourData o, vec3 centre, vec3 n) {
     CosineShare s;
     vec3 f = rectangleVector(centre, o.sideU.xyz, o.sideV.xyz);
@@ -40,6 +46,7 @@ CosineShare rectangleCosineShare(NeighbourData o, vec3 centre, vec3 n) {
     s.share = size > 0.0 && !isTurnedAway(o, centre) ? capFormFactor(dot(s.towards, n), size) : 0.0;
     s.n = normalize(cross(o.sideU.xyz, o.sideV.xyz));
     if (dot(s.n, s.towards) > 0.0) s.n = -s.n;
+    s.towards = aboveHorizon(s.towards, size, n);
     s.at = (dot(centre, s.n) / min(dot(s.towards, s.n), -0.05)) * s.towards;
     s.spread = 0.4;
     return s;
