@@ -9,7 +9,7 @@ float ballGathers(vec3 centre, float radius, vec3 wi, float ior, float alpha) {
     float focal = ior * radius / max(2.0 * (ior - 1.0), 1e-2); // IOR within .005 of 1 does not focus
     float x = dot(centre, wi);
     float paraxial = radius * (x - focal) / focal;
-    float rough = 1.5 * alpha * x;
+    float rough = ballSigma(alpha, ior, 0.7) * x; // at the mean cosine of a ball
     float r2 = radius * radius;
     float x2 = paraxial * paraxial + rough * rough + 0.0625 * r2;
     vec3 beside = centre - x * wi;

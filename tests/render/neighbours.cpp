@@ -7,8 +7,12 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace gg::test::neighbours {
@@ -37,6 +41,33 @@ std::vector<double> changes(const image::Image& a, const image::Image& b,
           static_cast<double>(b.at(x, y, 1)) / static_cast<double>(a.at(x, y, 1));
     }
   return change;
+}
+
+environment::Map tilted_sky() {
+  return environment_of(
+      256, [](glm::dvec3 d) { return glm::dvec3(1.0 + 0.8 * d.y, 1.0 + 0.8 * d.x, 1.0); });
+}
+
+// What the rough ball at the origin shows to two cameras a degree apart.
+void turns_smoothly(const std::function<image::Image(const frame::FrameDesc&)>& draw) {
+  const auto drawn = [&](double angle) {
+    return draw({.width = size, .height = size, .samples = 1, .camera = orbit(angle)});
+  };
+  const glm::dvec3 eye(0.0, 1.5, 6.0);
+  const auto change = changes(drawn(0.0), drawn(degree), orbit(0.0), eye);
+  int compared = 0;
+  for (int y = 1; y < size; ++y)
+    for (int x = 1; x < size; ++x) {
+      const auto value = [&](int i, int j) {
+        return change[static_cast<std::size_t>(j * size + i)];
+      };
+      for (const double beside : {value(x - 1, y), value(x, y - 1)}) {
+        if (value(x, y) == 0.0 || beside == 0.0) continue;
+        ASSERT_NEAR(value(x, y), beside, largest_jump) << x << ' ' << y;
+        ++compared;
+      }
+    }
+  EXPECT_GT(compared, 1000);
 }
 
 // What of the light that meets a ball of rough glass is reflected, or leaves where it first meets the far face: paths by visible
@@ -117,27 +148,27 @@ TEST_P(Render, a_rough_ball_among_others_changes_smoothly_as_the_camera_turns) {
   add(scene, ball(dielectric(0.4f)), at({-1.9f, 0.4f, -0.8f}));
   add(scene, ball(glass(0.1f)), at({0.0f, 2.1f, -0.6f}));
   add(scene, box(dielectric(0.5f)), at({-0.6f, -2.1f, -0.3f}));
-  const auto sky = environment_of(
-      256, [](glm::dvec3 d) { return glm::dvec3(1.0 + 0.8 * d.y, 1.0 + 0.8 * d.x, 1.0); });
-  const auto drawn = [&](double angle) {
-    return draw(scene,
-                {sky, {.width = size, .height = size, .samples = 1, .camera = orbit(angle)}});
-  };
-  const glm::dvec3 eye(0.0, 1.5, 6.0);
-  const auto change = changes(drawn(0.0), drawn(degree), orbit(0.0), eye);
-  int compared = 0;
-  for (int y = 1; y < size; ++y)
-    for (int x = 1; x < size; ++x) {
-      const auto value = [&](int i, int j) {
-        return change[static_cast<std::size_t>(j * size + i)];
-      };
-      for (const double beside : {value(x - 1, y), value(x, y - 1)}) {
-        if (value(x, y) == 0.0 || beside == 0.0) continue;
-        ASSERT_NEAR(value(x, y), beside, largest_jump) << x << ' ' << y;
-        ++compared;
-      }
-    }
-  EXPECT_GT(compared, 1000);
+  turns_smoothly([&](const frame::FrameDesc& desc) { return draw(scene, {tilted_sky(), desc}); });
+}
+
+TEST_P(Render, a_rough_ball_over_checks_changes_smoothly_as_the_camera_turns) {
+  scene::Scene scene = ball(metal(0.55f));
+  add(scene, square(dielectric(0.6f, glm::vec3(1.0f))),
+      glm::scale(glm::rotate(glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, -1.05f, 0.0f)),
+                             static_cast<float>(-90.0 * degree), glm::vec3(1.0f, 0.0f, 0.0f)),
+                 glm::vec3(5.0f)));
+  constexpr int checks = 16;
+  image::Image8 picture{checks, checks, {}};
+  for (int i = 0; i < checks * checks; ++i) {
+    const auto value = static_cast<std::uint8_t>((i + i / checks) % 2 ? 230 : 25);
+    picture.rgba.insert(picture.rgba.end(), {value, value, value, 255});
+  }
+  scene.images.push_back(std::make_shared<image::Image8>(std::move(picture)));
+  scene::Texture texture;
+  texture.image = 0;
+  scene.textures.push_back(texture);
+  scene.materials.back().base_color_map.texture = 0;
+  turns_smoothly([&](const frame::FrameDesc& desc) { return draw(scene, {tilted_sky(), desc}); });
 }
 
 TEST_P(Render, without_an_environment_bodies_show_what_shines_and_is_lit_beside_them) {
