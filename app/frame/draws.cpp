@@ -20,6 +20,17 @@ gpu::Cull cull_of(const needs::LayerDraw& draw) {
   return gpu::Cull::none;
 }
 
+// As shading deferred has it: what maps, colours of vertices and a mask say has been read, or is in the G-buffer.
+needs::FeatureKey without_mesh(needs::FeatureKey key) {
+  for (const needs::MapKind& kind : needs::map_kinds)
+    set_value(key, kind.feature, 0);
+  set_value(key, needs::Feature::vertex_color, 0);
+  set_value(key, needs::Feature::uv_sets, 0);
+  if (value_of(key, needs::Feature::alpha_mode) == static_cast<int>(scene::AlphaMode::mask))
+    set_value(key, needs::Feature::alpha_mode, static_cast<int>(scene::AlphaMode::opaque));
+  return key;
+}
+
 // All that a pipeline is made of but its label: passes that draw alike share one.
 std::string key_of(const gpu::PipelineDesc& desc) {
   std::string key = desc.vertex + ' ' + desc.fragment;
@@ -84,8 +95,9 @@ gpu::PipelineRef Draws::pipeline(const DrawPass& pass, const needs::Draw& draw) 
                          .depth_write = pass.depth_write,
                          .depth_compare = pass.depth_compare,
                          .blend = pass.blend};
-  for (std::uint32_t id = 0; id < draw.key.size(); ++id)
-    desc.constants.push_back(gpu::constant(id, draw.key[id]));
+  const needs::FeatureKey key = pass.by_region ? without_mesh(draw.key) : draw.key;
+  for (std::uint32_t id = 0; id < key.size(); ++id)
+    desc.constants.push_back(gpu::constant(id, key[id]));
   if (!pass.by_region)
     for (const needs::VertexInput& input : draw.inputs) {
       desc.attributes.push_back({.location = input.location,

@@ -101,10 +101,10 @@ bool holds_something(const Draw& solid, const std::vector<Draw>& draws) {
 bool faces_differ(const Draw& draw, const std::vector<Draw>& draws) {
   const scene::Material& m = *draw.material;
   const auto varies = [](const Draw& d) {
-    for (const Feature feature : {Feature::base_color_map, Feature::transmission_map,
-                                  Feature::metallic_roughness_map, Feature::vertex_color})
+    for (const Feature feature :
+         {Feature::base_color_map, Feature::transmission_map, Feature::vertex_color})
       if (value_of(d.key, feature) != 0) return true;
-    return false;
+    return value_of(d.key, Feature::metallic_roughness_map) != 0 && d.material->metallic > 0.0f;
   };
   return varies(draw) || std::ranges::any_of(draws, [&](const Draw& other) {
            const scene::Material& o = *other.material;
@@ -141,10 +141,12 @@ bool is_seen_from_within(const Draw& draw, const scene::SolidShape& shape,
 
 // `standard` shades glass like any surface, and the layer holds depth, normal and alpha alone.
 bool is_by_pixel(const Draw& draw) {
+  const auto maps = static_cast<std::size_t>(
+      value_of(draw.key, Feature::metallic_roughness_map) != 0 && draw.material->metallic <= 0.0f);
   return value_of(draw.key, Feature::interior_pairs) > 0 && !draw.is_straight()
          && value_of(draw.key, Feature::seen_from_within) == 0
          && value_of(draw.key, Feature::vertex_color) == 0
-         && value_of(draw.key, Feature::anisotropy) == 0 && draw.maps.empty()
+         && value_of(draw.key, Feature::anisotropy) == 0 && draw.maps.size() == maps
          && draw.material->alpha_mode != scene::AlphaMode::mask;
 }
 

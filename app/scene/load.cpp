@@ -138,6 +138,23 @@ std::vector<bool> materials_used(const Scene& scene) {
   return used;
 }
 
+// A map can only lower the factor: where its metallic channel is 0 everywhere, nothing is metal.
+void rule_out_metal(Scene& scene) {
+  std::map<const image::Image8*, bool> is_black; // the channel
+  for (Material& material : scene.materials) {
+    if (!material.metallic_roughness_map || material.metallic == 0.0f) continue;
+    const Index image =
+        scene.textures[static_cast<std::size_t>(material.metallic_roughness_map.texture)].image;
+    if (image == none || static_cast<std::size_t>(image) >= scene.images.size()) continue;
+    const image::Image8* map = scene.images[static_cast<std::size_t>(image)].get();
+    if (!map) continue;
+    const auto [known, is_new] = is_black.try_emplace(map, true);
+    for (std::size_t i = 2; is_new && known->second && i < map->rgba.size(); i += 4)
+      known->second = map->rgba[i] == 0;
+    if (known->second) material.metallic = 0.0f;
+  }
+}
+
 } // namespace
 
 struct File::Contents {
@@ -195,6 +212,7 @@ Scene File::at(const std::optional<Instant>& instant) {
     decode_images(document, used, scene);
     contents_->images = scene.images;
   }
+  rule_out_metal(scene);
   return scene;
 }
 

@@ -1,7 +1,7 @@
 // refractive_region.frag: deferred shading of a solid of glass: its nearest front faces are the first layer of the interior
 // G-buffer. Triangles of a fine mesh are a few pixels each: drawn forward, devices that shade blocks of pixels would shade most of
 // them several times.
-// Limits   no maps and no colours of vertices: the layer holds depth, normal and alpha.
+// Limits   no maps but of roughness and no colours of vertices: the layer holds depth, normal and alpha.
 #version 450
 #include "interface/frame.glsl"
 #include "interface/instance.glsl"
@@ -32,6 +32,7 @@ void main() {
     InteriorSurface s = interiorSurface(interiorCamera(), texel, at);
     inPosition = s.point;
     inNormal = s.n;
+    layerAlpha = unpackHalf2x16(texel.z).x;
     vec4 color = refractiveColor(surfaceBaseColor());
     outColor = shown ? color : vec4(0.0);
 }

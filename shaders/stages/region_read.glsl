@@ -10,5 +10,6 @@ bool readRegion() {
     InteriorSurface s = interiorSurface(interiorCamera(), texel, at);
     inPosition = s.point;
     inNormal = s.n;
+    layerAlpha = unpackHalf2x16(texel.z).x;
     return texel.w == objectId() && uintBitsToFloat(texel.x) >= texelFetch(hidingDepth, at, 0).x;
 }

@@ -1,7 +1,7 @@
 // region_surface.glsl: the outputs of opaque.vert, for deferred shading of a solid of glass: its nearest front faces are the first
 // layer of the interior G-buffer. Triangles of a fine mesh are a few pixels each: drawn forward, devices that shade blocks of
 // pixels would shade most of them several times.
-// Limits   no maps and no colours of vertices: the layer holds depth, normal and alpha.
+// Limits   no maps but of roughness and no colours of vertices: the layer holds depth, normal and alpha.
 #include "interface/region.glsl"
 #include "stages/region_pixel.glsl"
 

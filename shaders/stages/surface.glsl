@@ -49,6 +49,9 @@ struct Surface {
     float passedShare;
 };
 
+// Of glass whose shading is deferred, where a map says it: what the first interior layer holds. Negative: none.
+float layerAlpha = -1.0;
+
 vec2 mapUv(int uvPlusOne, vec4 row0, vec4 row1) {
     vec2 uv = uvPlusOne == 1 ? inUv01.xy : uvPlusOne == 2 ? inUv01.zw : uvPlusOne == 3 ? inUv23.xy : inUv23.zw;
     vec3 at = vec3(uv, 1.0);
@@ -193,7 +196,7 @@ Surface readSurface(vec4 base) {
 
     vec2 metal = surfaceMetal();
     s.metallic = metal.x;
-    s.alpha = alphaIsGiven ? material.surface.z : metal.y * metal.y;
+    s.alpha = alphaIsGiven ? material.surface.z : layerAlpha >= 0.0 ? layerAlpha : metal.y * metal.y;
 
     s.specular = material.specular.w; // KHR_materials_specular
     s.specularColor = material.specular.xyz;
