@@ -9,8 +9,9 @@ Graph graph_of(const needs::Needs& needs) {
   declare_shadows(graph, needs);
   declare_geometry(graph, needs);
   declare_opaque(graph, needs);
-  declare_material_depth(graph, needs);
-  declare_deferred(graph, needs);
+  const std::optional<NeighbourLight> neighbours = declare_neighbour_light(graph, needs);
+  declare_material_depth(graph, needs, neighbours);
+  declare_deferred(graph, needs, neighbours);
   declare_blended(graph, needs);
   for (std::size_t l = 0; l < needs.layers.size(); ++l) { // far to near
     std::optional<SceneCopy> scene_copy;

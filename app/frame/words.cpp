@@ -33,7 +33,8 @@ std::vector<std::string> writes_of(const Graph& graph, const Pass& pass) {
 int rate_of(const Graph& graph, const Pass& pass) {
   const std::size_t target =
       pass.colors.empty() ? pass.depth->target : pass.colors.front().part.target;
-  return std::max(graph.width / std::max(graph.targets[target].width, 1), 1);
+  const int width = std::max(graph.targets[target].width, 1);
+  return std::max((graph.width + width / 2) / width, 1); // corners of cells are one more
 }
 
 std::string joined(const std::vector<std::string>& words) {

@@ -78,7 +78,8 @@ enum class Feature : std::uint32_t {
   diffuse_transmission,
   diffuse_transmission_map,
   diffuse_transmission_color_map,
-  hollows, // vertices hold the share of their cosine lobe that meets their own mesh
+  hollows,                 // vertices hold the share of their cosine lobe that meets their own mesh
+  interpolated_neighbours, // what neighbours add is smooth enough for a lower rate in most places
   count
 };
 using FeatureSet = std::bitset<static_cast<std::size_t>(Feature::count)>;

@@ -40,6 +40,7 @@ constexpr Entry entries[] = {
     {"dispersion", Feature::dispersion},
     {"absorption", Feature::attenuation},
     {"neighbours", Feature::neighbours},
+    {"interpolated neighbours", Feature::interpolated_neighbours},
     {"hollows", Feature::hollows},
 };
 

@@ -157,7 +157,7 @@ Needs needs_of(const scene::Scene& scene, const View& view, Shapes* shapes) {
     add_hollows(needs, *shapes);
   if (!has(view.without, Feature::lights))
     needs.shadows = shadow_maps_of(scene, view, needs.draws, *shapes, needs.proxies.get());
-  mark_fine(needs.draws.all, view);
+  mark_deferred(needs.draws.all, view);
   needs.bounds = bounds_of(needs.draws.all, scene.bounds);
   sort_opaque(needs);
   sort_layers(needs);

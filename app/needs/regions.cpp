@@ -40,6 +40,15 @@ bool can_be_by_pixel(const Draw& draw) {
             });
 }
 
+// Coats and brushing have lobes of their own, what passes diffuse light a second irradiance; importance sampling is noise.
+bool can_interpolate(const Draw& draw) {
+  const auto method = static_cast<Method>(value_of(draw.key, Feature::method));
+  const auto lacks = [&](Feature feature) { return value_of(draw.key, feature) == 0; };
+  return !lacks(Feature::neighbours) && !lacks(Feature::environment) && lobes_of(method) > 0
+         && lacks(Feature::clearcoat) && lacks(Feature::anisotropy)
+         && lacks(Feature::diffuse_transmission);
+}
+
 // Pixels of the picture that the box covers.
 double pixels_of(const ScreenBox& box, const View& view) {
   const glm::dvec2 size = glm::min(box.high, glm::dvec2(1.0)) - glm::max(box.low, glm::dvec2(-1.0));
@@ -48,13 +57,16 @@ double pixels_of(const ScreenBox& box, const View& view) {
 
 } // namespace
 
-void mark_fine(std::vector<Draw>& draws, const View& view) {
+void mark_deferred(std::vector<Draw>& draws, const View& view) {
   const glm::dmat4 clip = clip_from_world(view);
   for (Draw& draw : draws) {
     if (!can_be_by_pixel(draw)) continue;
+    const bool interpolates =
+        can_interpolate(draw) && !has(view.without, Feature::interpolated_neighbours);
+    set_value(draw.key, Feature::interpolated_neighbours, interpolates);
     const double pixels = pixels_of(screen_box(draw.bounds, clip), view);
     const double triangles = static_cast<double>(draw.index_count) / 3.0;
-    draw.by_pixel = pixels < fine * triangles;
+    draw.by_pixel = interpolates || pixels < fine * triangles;
   }
 }
 

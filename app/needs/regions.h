@@ -8,8 +8,13 @@
 
 namespace gg::needs {
 
-// Marks the opaque draws whose triangles are so small on the screen that shading deferred costs less (Draw::by_pixel).
-void mark_fine(std::vector<Draw>& draws, const View& view);
+// Marks the opaque draws that shading deferred costs less (Draw::by_pixel): whose triangles are small on the screen, and those of
+// which it can interpolate what neighbours add.
+void mark_deferred(std::vector<Draw>& draws, const View& view);
+
+inline bool interpolates_neighbours(const Draw& draw) {
+  return value_of(draw.key, Feature::interpolated_neighbours) != 0;
+}
 
 // Whether shading takes from a draw's mesh what maps, colours of vertices or an alpha mask say, besides depth, normal and tangent.
 bool keeps_maps(const Draw& draw);

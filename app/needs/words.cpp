@@ -70,6 +70,7 @@ constexpr FeatureName names[] = {
       "spheres and rectangles of glass", nullptr, "spheres", "rectangles", "spheres and rectangles",
       nullptr, "spheres, glass among them", "rectangles, glass among them",
       "spheres and rectangles, glass among them"}},
+    {Feature::interpolated_neighbours, "interpolated neighbours"},
 };
 
 std::string name_of(const FeatureName& feature, int value) {

@@ -70,6 +70,7 @@ vec3 mergedRadiance(Surface s, ReflectionLobe first, float edge, vec3 weight, ve
 
 #include "stages/brushed.glsl"
 #include "stages/hollows.glsl"
+#include "stages/neighbour_light.glsl"
 
 // The reflection lobe: its radiance counts times the weight. And the rest of the environment's light: the diffuse base, and
 // multiple scattering.
@@ -78,8 +79,18 @@ struct EnvironmentLight {
     float edge;  // where the table is read
     vec3 weight;
     vec3 diffuse;
-    vec3 base; // albedo of the diffuse base
+    vec3 base;   // albedo of the diffuse base
+    vec3 around; // irradiance about the normal, where the surface sends any of it
 };
+
+const bool hasBase = shading == 1 || shading == 3;
+const bool takesIrradiance = hasBase || scattersAgain;
+
+vec3 irradianceAround(Surface s) {
+    if (neighbourKinds == 0 || transmission != 0) return wideRadiance(s.n);
+    if (interpolatesNeighbours) return max(wideRadiance(s.n) + interpolatedIrradiance(), vec3(0.0));
+    return surroundingIrradiance(s.position, s.n);
+}
 
 EnvironmentLight environmentLobe(Surface s) {
     float cosO = dot(s.n, s.wo);
@@ -105,30 +116,43 @@ EnvironmentLight environmentLobe(Surface s) {
     light.weight = s.occlusion * albedo * reflectance;
     light.diffuse = vec3(0.0);
     light.base = vec3(0.0);
+    light.around = vec3(0.0);
 
-    bool hasBase = shading == 1 || shading == 3;
-    if (hasBase || scattersAgain) {
-        vec3 around = wideRadiance(s.n);
-        if (neighbourKinds != 0 && transmission == 0) around = surroundingIrradiance(s.position, s.n);
+    if (takesIrradiance) {
+        light.around = irradianceAround(s);
         if (hasBase) {
             vec3 angles = diffuseAngles(cosO);
             vec3 fresnel = mix(dielectricFresnel(s, angles.y), dielectricFresnel(s, angles.x), angles.z);
             float under = baseUnder(s, fresnel);
             light.base = under * baseReflected(s);
-            light.diffuse += light.base * around;
+            light.diffuse += light.base * light.around;
             if (passesDiffuse) {
                 vec3 behind = wideRadiance(-s.n);
                 if (neighbourKinds != 0) behind = surroundingIrradiance(s.position, -s.n);
                 light.diffuse += under * basePassed(s) * behind;
             }
         }
-        if (scattersAgain) light.diffuse += multiplyScattered(s, albedo, reflectance) * around;
+        if (scattersAgain) light.diffuse += multiplyScattered(s, albedo, reflectance) * light.around;
     }
     light.diffuse *= s.occlusion;
     return light;
 }
 
+// Of the environment alone.
+vec3 farLobes(Surface s, EnvironmentLight light) {
+    vec3 sum = vec3(0.0);
+    ReflectionLobe lobe = light.lobe;
+    for (int k = 0; k < lobeCount; ++k) {
+        if (lobeCount > 1) {
+            if (k > 0) lobe = fetchReflectionLobeOf(lobeTable, k, lobeCount, s.wo, s.n, s.alpha, light.edge);
+        }
+        sum += lobe.weight * farRadiance(lobe.direction, sqrt(lobe.sigma * lobe.sigma + s.turn));
+    }
+    return sum;
+}
+
 vec3 reflectedLight(Surface s, EnvironmentLight light) {
+    if (interpolatesNeighbours) return max(farLobes(s, light) + interpolatedReflected(), vec3(0.0));
     if (mergesLobes) return mergedRadiance(s, light.lobe, light.edge, light.weight, light.base);
     vec3 sum = vec3(0.0);
     ReflectionLobe lobe = light.lobe;

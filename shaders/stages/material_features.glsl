@@ -48,6 +48,7 @@ layout(constant_id = 42) const bool passesDiffuse = false; // KHR_materials_diff
 layout(constant_id = 43) const int diffuseTransmissionMapUv = 0;
 layout(constant_id = 44) const int diffuseTransmissionColorMapUv = 0;
 layout(constant_id = 45) const bool hasHollows = false; // vertices hold the share of their cosine lobe that meets their own mesh
+layout(constant_id = 46) const bool interpolatesNeighbours = false; // stages/neighbour_light.glsl
 layout(constant_id = 26) const int interiorPairs = 0; // of front and back faces that the inside is followed through
 
 const bool hasLights = lighting != 0;

@@ -22,6 +22,10 @@ using needs::View;
 
 using Labels = std::vector<std::string>;
 
+const Labels deferred_with_neighbours = {"geometry",        "opaque",          "neighbour corners",
+                                         "neighbour light", "neighbour cells", "material depth",
+                                         "deferred"};
+
 View view(Method method = Method::lobes2) {
   return {.camera = camera_at({0, 0, 6}),
           .width = 64,
@@ -95,13 +99,14 @@ TEST(needs, shadow_maps_are_where_a_light_and_what_casts_and_what_is_lit_are) {
   add(scene, square(dielectric(0.5f)), at({0, 0, -1.5f}));
   EXPECT_EQ(views(scene), 0u) << "no light";
   const Needs dark = needs::needs_of(scene, view());
-  EXPECT_EQ(labels(dark), (Labels{"geometry", "opaque", "material depth", "deferred"}));
+  EXPECT_EQ(labels(dark), deferred_with_neighbours);
   scene.lights = {{.kind = scene::LightKind::directional}, {.position = {0.2f, 0.0f, 4.0f}}};
   EXPECT_EQ(views(scene), 2u);
   EXPECT_EQ(views(scene, Method::standard), 2u);
   const Needs lit = needs::needs_of(scene, view());
-  EXPECT_EQ(labels(lit),
-            (Labels{"shadow", "shadow", "geometry", "opaque", "material depth", "deferred"}));
+  Labels shadowed = deferred_with_neighbours;
+  shadowed.insert(shadowed.begin(), 2, "shadow");
+  EXPECT_EQ(labels(lit), shadowed);
   EXPECT_FALSE(target(lit, "shadow tint"));
   add(scene, box(thin(glass(0.3f))), at({3.0f, 0.0f, 0.0f}));
   const Needs tinted = needs::needs_of(scene, view());
@@ -208,12 +213,6 @@ TEST(needs, thin_walls_read_tables_of_both_faces_and_none_of_one) {
   EXPECT_FALSE(has_table(needs, "interface"));
   EXPECT_FALSE(has_table(needs::needs_of(scene, view(Method::standard)), "thin-wall"));
   EXPECT_FALSE(has_table(needs::needs_of(box(glass(0.3f)), view(Method::lobes2)), "thin-wall"));
-}
-
-TEST(needs, what_stands_around_opaque_things_asks_for_no_pass) {
-  scene::Scene scene = box(metal(0.2f));
-  add(scene, box(dielectric(0.9f)), at({1.5f, 0, 0}));
-  EXPECT_EQ(labels(needs::needs_of(scene, view())), Labels{"opaque"});
 }
 
 TEST(needs, glass_behind_glass_takes_two_layers_the_farther_one_first) {
@@ -461,6 +460,44 @@ TEST(needs, what_takes_more_from_its_mesh_is_shaded_by_its_triangles) {
   }
 }
 
+// Its maps hold no metal, but for that of the opaque balls; the one of IOR 1 bends nothing.
+TEST(needs, glass_whose_roughness_a_map_says_takes_deferred_shading) {
+  const scene::Scene scene =
+      scene::load(home_directory() / "assets/scenes/TransmissionRoughnessTest.glb");
+  for (const scene::Material& material : scene.materials)
+    if (material.name.starts_with("Mat_"))
+      EXPECT_EQ(material.metallic, material.name == "Mat_Opaque" ? 1.0f : 0.0f) << material.name;
+  const Needs needs = needs::needs_of(scene, view());
+  EXPECT_EQ(std::ranges::count_if(needs.draws.all,
+                                  [](const needs::Draw& draw) {
+                                    return draw.role == needs::Role::refractive && draw.by_pixel;
+                                  }),
+            4);
+}
+
+// A box has few triangles. Importance sampling is noise, a coat has lobes of its own.
+TEST(needs, what_neighbours_add_is_interpolated_where_a_fitted_lobe_meets_some) {
+  scene::Scene scene = box(dielectric(0.5f));
+  const auto interpolates = [&](Method method, const needs::FeatureSet& without = {}) {
+    needs::View asked = view(method);
+    asked.without = without;
+    const Needs needs = needs::needs_of(scene, asked);
+    return target(needs, "neighbour cells").has_value() && needs.opaque.empty();
+  };
+  EXPECT_FALSE(interpolates(Method::lobes2)) << "alone";
+  add(scene, box(metal(0.2f)), at({0, 2, 0}));
+  EXPECT_TRUE(interpolates(Method::lobes2));
+  EXPECT_TRUE(interpolates(Method::lobes1));
+  EXPECT_FALSE(interpolates(Method::standard));
+  EXPECT_FALSE(interpolates(needs::fis(4)));
+  needs::FeatureSet without;
+  without.set(static_cast<std::size_t>(Feature::interpolated_neighbours));
+  EXPECT_FALSE(interpolates(Method::lobes2, without));
+  for (scene::Material& material : scene.materials)
+    material.clearcoat = 1.0f;
+  EXPECT_FALSE(interpolates(Method::lobes2));
+}
+
 TEST(needs, fine_meshes_of_one_material_and_the_same_neighbours_share_a_region) {
   const scene::Scene one = ball(metal(0.2f));
   scene::Scene scene = one;
@@ -469,9 +506,8 @@ TEST(needs, fine_meshes_of_one_material_and_the_same_neighbours_share_a_region) 
   add(scene, ball(dielectric(0.9f)), at({-1.5f, 0, 0}));
   add(scene, box(metal(0.2f)), at({0, 2, 0}));
   const Needs needs = needs::needs_of(scene, view());
-  EXPECT_EQ(labels(needs), (Labels{"geometry", "opaque", "material depth", "deferred"}));
-  EXPECT_EQ(needs.opaque_regions.size(), 3u) << "each has the others around it";
-  EXPECT_EQ(needs.opaque.size(), 1u);
+  EXPECT_EQ(labels(needs), deferred_with_neighbours);
+  EXPECT_EQ(needs.opaque_regions.size(), 4u) << "each has the others around it";
   scene.instances[1].world = at({0, 0, -300.0f}); // no neighbour of the others, nor they of it
   scene.instances[0].world = at({0, 0, -100.0f});
   scene.instances[2].world = scene.instances[3].world = at({0, 300.0f, 0});

@@ -112,6 +112,19 @@ TEST_P(Render, opaque_surfaces_are_the_same_by_their_pixels_and_by_their_triangl
   }
 }
 
+// A floor and a rough and a nearly smooth ball in contact with it. Interpolated values are within a hundredth of what they stand
+// for (MOST_BEND of shaders/stages/neighbour_cells.frag, over eight); at edges and contacts they do not stand in.
+TEST_P(Render, what_neighbours_add_is_the_same_in_cells_and_at_every_pixel) {
+  scene::Scene scene = ball(metal(0.4f, {0.9f, 0.6f, 0.3f}));
+  add(scene, ball(metal(0.05f)), placed({2.1f, 0, 0}, glm::vec3(1)));
+  add(scene, box(dielectric(0.5f)), placed({0, -1.2f, 0}, {6, 0.2f, 6}));
+  frame::FrameDesc each = from({0.4f, 1.5f, 6});
+  each.without.set(static_cast<std::size_t>(needs::Feature::interpolated_neighbours));
+  EXPECT_TRUE(pictures_agree(draw(scene, {sky(), from({0.4f, 1.5f, 6})}),
+                             draw(scene, {sky(), each}),
+                             {.difference = 2.0 * display_step, .fraction_over = 0.002}));
+}
+
 TEST_P(Render, a_fine_mesh_keeps_every_pixel_of_its_outline) {
   const scene::Scene scene = crowd();
   const frame::FrameDesc desc = from({0.4f, 0.3f, 5});

@@ -1,26 +1,23 @@
-// Shades the opaque regions: one quad for each material, where its meshes are in front.
+// Shades the opaque regions: one quad for each material, where its meshes are in front; two where what neighbours add is
+// interpolated in parts of it.
 #include "frame/passes/passes.h"
 #include "frame/regions.h"
 #include "needs/regions.h"
 
 namespace gg::frame {
-namespace {
 
-// As what its pixels keep has it: no maps and no colours of vertices left to read, no alpha to test.
-needs::Draw without_maps(const needs::Draw& draw) {
-  needs::Draw plain = draw;
-  for (const needs::MapKind& kind : needs::map_kinds)
-    needs::set_value(plain.key, kind.feature, 0);
-  needs::set_value(plain.key, needs::Feature::vertex_color, 0);
-  needs::set_value(plain.key, needs::Feature::uv_sets, 0);
-  needs::set_value(plain.key, needs::Feature::alpha_mode,
-                   static_cast<int>(scene::AlphaMode::opaque));
-  return plain;
+gpu::PipelineRef region_pipeline(const Context& context, const DrawPass& pass,
+                                 const needs::Draw& draw, bool interpolates) {
+  constexpr std::uint32_t keeps_maps = 56; // constant of stages/opaque_region.glsl
+  DrawPass with = pass;
+  with.constants.push_back(gpu::constant(keeps_maps, needs::keeps_maps(draw)));
+  needs::Draw shaded = draw;
+  set_value(shaded.key, needs::Feature::interpolated_neighbours, interpolates);
+  return context.draws.pipeline(with, shaded);
 }
 
-} // namespace
-
-void declare_deferred(Graph& graph, const needs::Needs& needs) {
+void declare_deferred(Graph& graph, const needs::Needs& needs,
+                      const std::optional<NeighbourLight>& neighbours) {
   if (needs.opaque_regions.empty()) return;
   const auto prepare = [](Context& context) -> Record {
     const DrawPass pass{.label = "deferred",
@@ -29,15 +26,13 @@ void declare_deferred(Graph& graph, const needs::Needs& needs) {
                         .colors = {color_format},
                         .depth_write = false,
                         .depth_compare = gpu::Compare::equal};
-    DrawPass with_maps = pass;
-    with_maps.fragment = "opaque_region_maps.frag";
     std::vector<RecordedRegion> regions;
-    for (const needs::Region& region : context.needs.opaque_regions) {
-      const needs::Draw* draw = region.draws.front();
-      const gpu::PipelineRef pipeline = needs::keeps_maps(*draw)
-                                            ? context.draws.pipeline(with_maps, without_maps(*draw))
-                                            : context.draws.pipeline(pass, *draw);
-      regions.push_back({draw, pipeline, opaque_region(regions.size())});
+    for (std::size_t i = 0; i < context.needs.opaque_regions.size(); ++i) {
+      const needs::Draw* draw = context.needs.opaque_regions[i].draws.front();
+      regions.push_back({draw, region_pipeline(context, pass, *draw, false), opaque_region(i)});
+      if (needs::interpolates_neighbours(*draw))
+        regions.push_back({draw, region_pipeline(context, pass, *draw, true),
+                           interpolated_region(context.needs, i)});
     }
     return [&context, regions](gpu::Encoder& encoder) {
       for (const RecordedRegion& region : regions)
@@ -52,6 +47,8 @@ void declare_deferred(Graph& graph, const needs::Needs& needs) {
             .depth = DepthOutput{material_depth(graph)},
             .prepare = prepare};
   if (graph.find("geometry maps")) pass.reads.push_back({"geometryMaps", {geometry_maps(graph)}});
+  if (neighbours)
+    pass.reads.insert(pass.reads.end(), neighbours->corners.begin(), neighbours->corners.end());
   graph.passes.push_back(std::move(pass));
 }
 

@@ -20,8 +20,16 @@ void declare_shadows(Graph& graph, const needs::Needs& needs);
 void read_shadows(Graph& graph, const needs::Needs& needs);
 void declare_geometry(Graph& graph, const needs::Needs& needs);
 void declare_opaque(Graph& graph, const needs::Needs& needs);
-void declare_material_depth(Graph& graph, const needs::Needs& needs);
-void declare_deferred(Graph& graph, const needs::Needs& needs);
+// What neighbours add to opaque regions at the corners of cells, and the cells in which that is interpolated.
+struct NeighbourLight {
+  std::vector<Input> corners;
+  Input cells;
+};
+std::optional<NeighbourLight> declare_neighbour_light(Graph& graph, const needs::Needs& needs);
+void declare_material_depth(Graph& graph, const needs::Needs& needs,
+                            const std::optional<NeighbourLight>& neighbours);
+void declare_deferred(Graph& graph, const needs::Needs& needs,
+                      const std::optional<NeighbourLight>& neighbours);
 void declare_blended(Graph& graph, const needs::Needs& needs);
 SceneCopy declare_scene_copy(Graph& graph, const needs::Needs& needs, std::size_t layer);
 void declare_foreground(Graph& graph, const needs::Needs& needs, std::size_t layer,
@@ -47,5 +55,8 @@ void declare_accumulate(Graph& graph, const needs::Needs& needs);
 std::size_t geometry_buffer(Graph& graph);
 std::size_t geometry_maps(Graph& graph);
 std::size_t material_depth(Graph& graph);
+// Of a stage over stages/opaque_region.glsl; `interpolates` what neighbours add.
+gpu::PipelineRef region_pipeline(const Context& context, const DrawPass& pass,
+                                 const needs::Draw& draw, bool interpolates);
 
 } // namespace gg::frame
