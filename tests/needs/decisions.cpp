@@ -465,8 +465,9 @@ TEST(needs, glass_whose_roughness_a_map_says_takes_deferred_shading) {
   const scene::Scene scene =
       scene::load(home_directory() / "assets/scenes/TransmissionRoughnessTest.glb");
   for (const scene::Material& material : scene.materials)
-    if (material.name.starts_with("Mat_"))
+    if (material.name.starts_with("Mat_")) {
       EXPECT_EQ(material.metallic, material.name == "Mat_Opaque" ? 1.0f : 0.0f) << material.name;
+    }
   const Needs needs = needs::needs_of(scene, view());
   EXPECT_EQ(std::ranges::count_if(needs.draws.all,
                                   [](const needs::Draw& draw) {
