@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace gg::test::blended {
+namespace gg::test::blended_test {
 namespace {
 
 constexpr int size = 64;
@@ -50,4 +50,4 @@ TEST_P(Render, blended_things_are_seen_through_glass_where_they_are) {
 }
 
 } // namespace
-} // namespace gg::test::blended
+} // namespace gg::test::blended_test

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace gg::test::bodies {
+namespace gg::test::bodies_test {
 namespace {
 
 constexpr int size = 96;
@@ -177,4 +177,4 @@ TEST_P(Render, an_open_sheet_with_a_thickness_is_a_plate) {
   }
 }
 
-} // namespace gg::test::bodies
+} // namespace gg::test::bodies_test

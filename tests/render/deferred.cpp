@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace gg::test::deferred {
+namespace gg::test::deferred_test {
 namespace {
 
 constexpr int size = 96;
@@ -157,4 +157,4 @@ TEST_P(Render, both_sides_of_a_fine_mesh_are_the_same_by_pixels) {
   }
 }
 
-} // namespace gg::test::deferred
+} // namespace gg::test::deferred_test

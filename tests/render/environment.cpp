@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gg::test::environment {
+namespace gg::test::environment_test {
 namespace {
 
 // A map that says its own direction: radiance = (1 + direction) / 2. It is linear in the direction,
@@ -200,4 +200,4 @@ TEST_P(Render, a_lamp_smaller_than_a_pixel_of_a_curved_surface_is_neither_lost_n
   }
 }
 
-} // namespace gg::test::environment
+} // namespace gg::test::environment_test

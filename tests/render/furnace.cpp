@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gg::test::furnace {
+namespace gg::test::furnace_test {
 namespace {
 
 namespace f64 = glsl::f64;
@@ -153,4 +153,4 @@ TEST_P(Render, white_dielectric_ball_in_the_furnace_shows_what_gltf_asks_for) {
     }
 }
 
-} // namespace gg::test::furnace
+} // namespace gg::test::furnace_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gg::test::glass {
+namespace gg::test::glass_test {
 namespace {
 
 constexpr int size = 96;
@@ -469,4 +469,4 @@ TEST_P(Render, glass_is_finite_and_lit_whatever_it_is_and_wherever_the_eye) {
       }
 }
 
-} // namespace gg::test::glass
+} // namespace gg::test::glass_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gg::test::layers {
+namespace gg::test::layers_test {
 namespace {
 
 namespace f64 = glsl::f64;
@@ -306,4 +306,4 @@ TEST_P(Render, brushed_glass_loses_to_shadowing_what_paths_lose) {
   EXPECT_NEAR(drawn / traced, 1.0, 0.08) << traced / pixels << ": the lobes' own error";
 }
 
-} // namespace gg::test::layers
+} // namespace gg::test::layers_test

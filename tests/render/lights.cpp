@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gg::test::lights {
+namespace gg::test::lights_test {
 namespace {
 
 namespace f64 = glsl::f64;
@@ -143,4 +143,4 @@ TEST_P(Render, a_light_at_the_surface_or_behind_it_draws_no_nan_and_no_light) {
   draw(scene, {std::nullopt, head_on()});
 }
 
-} // namespace gg::test::lights
+} // namespace gg::test::lights_test

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace gg::test::neighbours {
+namespace gg::test::neighbours_test {
 namespace {
 
 constexpr int size = 128;
@@ -218,4 +218,4 @@ TEST_P(Render, a_lamp_over_a_ball_is_not_seen_through_it_in_the_ball_below) {
   EXPECT_LT(sum / pixels, most);
 }
 
-} // namespace gg::test::neighbours
+} // namespace gg::test::neighbours_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace gg::test::shadows {
+namespace gg::test::shadows_test {
 namespace {
 
 constexpr int size = head_on_size;
@@ -150,4 +150,4 @@ TEST_P(Render, what_is_lit_does_not_shadow_itself) {
   }
 }
 
-} // namespace gg::test::shadows
+} // namespace gg::test::shadows_test

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace gg::test::surfaces {
+namespace gg::test::surfaces_test {
 namespace {
 
 constexpr int size = head_on_size;
@@ -432,4 +432,4 @@ TEST_P(Render, maps_of_passed_light_are_read_where_shadows_are_too) {
     ASSERT_NEAR(by_maps.values[i], by_factors.values[i], 1e-5f) << i;
 }
 
-} // namespace gg::test::surfaces
+} // namespace gg::test::surfaces_test
