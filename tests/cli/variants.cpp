@@ -33,8 +33,8 @@ TEST(capture, lavapipe_compiles_no_shader_again_for_other_numbers) {
     return files_in(kept);
   };
   const auto once = compiled_after({});
-  EXPECT_EQ(compiled_after({"--material", "*=glass,alpha=0.3,ior=1.3", "--env-rotation", "40",
-                            "--eye", "0.3,0.4,1.5", "--target", "0,0,0"}),
+  EXPECT_EQ(compiled_after({"--material", "Rough .25=glass,alpha=0.3,ior=1.3", "--env-rotation",
+                            "40", "--env-intensity", "1.5"}),
             once);
 }
 
