@@ -18,11 +18,11 @@ std::ptrdiff_t files_in(const fs::path& directory) {
 }
 
 // Lavapipe takes uniforms for constant that branches test alone (shaders/stages/of_pixel.glsl): a frame of other numbers, or one
-// with several draws of a pipeline, would wait for compilers. Glass, and a wall that is its neighbour.
+// with several draws of a pipeline, would wait for compilers, or crash in them. Balls of glass and metal, neighbours of each other.
 TEST(capture, lavapipe_compiles_no_shader_again_for_other_numbers) {
   const fs::path kept = empty_directory("shader-variants");
   const auto compiled_after = [&](const std::vector<std::string>& numbers) {
-    std::vector<std::string> arguments{"capture",   asset("scenes/slabs-0.2.glb").string(),
+    std::vector<std::string> arguments{"capture",   asset("scenes/ball-grid.glb").string(),
                                        "--backend", "vulkan",
                                        "--size",    "24x24",
                                        "--samples", "1",
@@ -33,9 +33,7 @@ TEST(capture, lavapipe_compiles_no_shader_again_for_other_numbers) {
     return files_in(kept);
   };
   const auto once = compiled_after({});
-  EXPECT_EQ(compiled_after({"--material", "Rough .25=glass,alpha=0.3,ior=1.3", "--env-rotation",
-                            "40", "--env-intensity", "1.5"}),
-            once);
+  EXPECT_EQ(compiled_after({"--env-rotation", "40", "--env-intensity", "1.5"}), once);
 }
 
 } // namespace
