@@ -1,6 +1,6 @@
 // groundglass capture as a user meets it: what it writes, and what it says when it cannot.
-#include "cli/program.h"
 #include "image/image.h"
+#include "support/program.h"
 #include "support/scratch.h"
 
 #include <gtest/gtest.h>

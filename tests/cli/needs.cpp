@@ -1,5 +1,5 @@
 // groundglass needs as a user meets it.
-#include "cli/program.h"
+#include "support/program.h"
 #include "support/scratch.h"
 
 #include <gtest/gtest.h>

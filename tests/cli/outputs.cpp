@@ -1,8 +1,8 @@
 // Where results go: links are followed, pipes and devices written to and never replaced, "-" is standard input and output.
-#include "cli/program.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "support/errors.h"
+#include "support/program.h"
 #include "support/scratch.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Mesa compiles a shader for each set of values that it takes for constant, and keeps each in a file.
-#include "cli/program.h"
 #include "support/cache_in.h"
+#include "support/program.h"
 
 #include <gtest/gtest.h>
 

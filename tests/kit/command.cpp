@@ -1,6 +1,6 @@
 // groundglass kit, as a user runs it. What it draws is chromium.py's.
-#include "cli/program.h"
 #include "core/files.h"
+#include "support/program.h"
 #include "support/scratch.h"
 
 #include <gtest/gtest.h>

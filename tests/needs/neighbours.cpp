@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gg::test {
+namespace gg::test::neighbours_test {
 namespace {
 
 using needs::Feature;
@@ -160,4 +160,4 @@ TEST(neighbours, split_regions_whose_draws_have_different_ones) {
   EXPECT_EQ(far.opaque_regions.size(), 1u) << "as far as a neighbour is none";
 }
 
-} // namespace gg::test
+} // namespace gg::test::neighbours_test

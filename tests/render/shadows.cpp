@@ -1,4 +1,5 @@
 // Shadow maps of punctual lights against shadows whose outlines are known.
+#include "needs/left_out.h"
 #include "render/head_on.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -26,6 +27,13 @@ scene::Light light(scene::LightKind kind) {
   l.direction = glm::normalize(glm::vec3(-0.4f, -0.2f, -1.0f));
   l.outer_cone = 0.9f;
   return l;
+}
+
+// Without the light that lit bodies reflect onto each other.
+frame::FrameDesc shadows_alone() {
+  frame::FrameDesc desc = head_on();
+  desc.without = needs::left_out("neighbours");
+  return desc;
 }
 
 // Metres on the plate's plane from its outline to where light to the point crosses it; negative within.
@@ -91,13 +99,13 @@ TEST_P(Render, shadows_end_within_a_texel_of_their_outline) {
 TEST_P(Render, a_light_in_the_midst_of_things_casts_all_around) {
   scene::Scene scene = square(dielectric(1.0f));
   scene.lights = {light(scene::LightKind::point)};
-  const image::Image lit = draw(scene, {std::nullopt, head_on()});
+  const image::Image lit = draw(scene, {std::nullopt, shadows_alone()});
   add(scene, square(dielectric(1.0f)), plate_at(0, 0));
   // Behind the light and beside it: no one view sees them all. Of these none stands between it and the square.
   for (const glm::vec3& place : {glm::vec3(0.4f, 0.4f, 3.0f), glm::vec3(3.0f, 0.3f, 1.1f)})
     add(scene, ball(dielectric(1.0f)),
         glm::scale(glm::translate(glm::mat4(1.0f), place), glm::vec3(0.3f)));
-  const Passed passed(lit, draw(scene, {std::nullopt, head_on()}));
+  const Passed passed(lit, draw(scene, {std::nullopt, shadows_alone()}));
   // A face of 256 texels: at .8 m from the light two are 1.25 cm.
   const double wide = 3.0 * 2.0 * 0.8 / 256;
   for (int y = 0; y < size; ++y)
@@ -140,10 +148,10 @@ TEST_P(Render, what_is_lit_does_not_shadow_itself) {
   for (const float height : {0.15f, 0.5f, 2.0f}) {
     scene::Scene one = scene;
     one.lights[0].direction = glm::normalize(glm::vec3(-1.0f, 0.0f, -height));
-    const image::Image lit = draw(one, {std::nullopt, head_on()});
+    const image::Image lit = draw(one, {std::nullopt, shadows_alone()});
     add(one, ball(dielectric(1.0f)),
         glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.5f, 0.1f)), glm::vec3(0.1f)));
-    const Passed passed(lit, draw(one, {std::nullopt, head_on()}));
+    const Passed passed(lit, draw(one, {std::nullopt, shadows_alone()}));
     for (int y = size / 2; y < size; ++y) // the half without the ball
       for (int x = 0; x < size; ++x)
         ASSERT_NEAR(passed.at(x, y), 1.0, 1e-5) << x << ' ' << y << ' ' << height;

@@ -1,6 +1,6 @@
 // `--method auto`: the method that a scene and a limit ask for, as a user meets it.
-#include "cli/program.h"
 #include "image/image.h"
+#include "support/program.h"
 #include "support/scratch.h"
 
 #include <gtest/gtest.h>

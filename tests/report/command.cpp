@@ -1,6 +1,6 @@
 // groundglass report as a user meets it.
-#include "cli/program.h"
 #include "image/image.h"
+#include "support/program.h"
 #include "support/scratch.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Frames against the truth: small references that were traced once (assets/references).
-#include "cli/program.h"
 #include "image/compare.h"
+#include "support/program.h"
 #include "support/scratch.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // groundglass snippet, as a user runs it. That what it prints compiles is matrix.py's.
-#include "cli/program.h"
+#include "support/program.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // groundglass eval and groundglass figures as a user meets them.
-#include "cli/program.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "support/program.h"
 #include "support/scratch.h"
 
 #include <gtest/gtest.h>

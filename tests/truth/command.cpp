@@ -1,7 +1,7 @@
 // groundglass truth as a user meets it.
-#include "cli/program.h"
 #include "core/files.h"
 #include "image/image.h"
+#include "support/program.h"
 #include "support/scratch.h"
 
 #include <gtest/gtest.h>
