@@ -18,9 +18,8 @@
 
 namespace gg::commands {
 
-void add_all(
-    Command
-        program); // in the order in which --help shows them; in capture_alone.cpp: capture by itself
+// In the order in which --help shows them: all (commands.cpp), or capture by itself (capture_alone.cpp).
+void add_all(Command program);
 
 void add_capture(Command program, MethodChoice choose_method);
 void add_compare(Command program);

@@ -1,6 +1,7 @@
 #include "frame/draws.h"
 
 #include "frame/passes/alike.h"
+#include "gpu/pipeline_key.h"
 
 #include <utility>
 
@@ -28,26 +29,6 @@ needs::FeatureKey without_mesh(needs::FeatureKey key) {
   set_value(key, needs::Feature::uv_sets, 0);
   if (value_of(key, needs::Feature::alpha_mode) == static_cast<int>(scene::AlphaMode::mask))
     set_value(key, needs::Feature::alpha_mode, static_cast<int>(scene::AlphaMode::opaque));
-  return key;
-}
-
-// All that a pipeline is made of but its label: passes that draw alike share one.
-std::string key_of(const gpu::PipelineDesc& desc) {
-  std::string key = desc.vertex + ' ' + desc.fragment;
-  const auto add = [&](char what, auto... values) {
-    key += ' ';
-    key += what;
-    ((key += std::to_string(static_cast<std::uint32_t>(values)) + ','), ...);
-  };
-  for (const gpu::Constant& constant : desc.constants)
-    add('c', constant.id, constant.bits);
-  for (const gpu::VertexBinding& binding : desc.bindings)
-    add('b', binding.stride, binding.step);
-  for (const gpu::Attribute& a : desc.attributes)
-    add('a', a.location, a.components, a.binding, a.offset);
-  for (const gpu::Format color : desc.colors)
-    add('o', color);
-  add('d', desc.depth, desc.depth_write, desc.depth_compare, desc.cull, desc.blend);
   return key;
 }
 
@@ -79,7 +60,7 @@ std::vector<gpu::PipelineDesc> Draws::missing(const std::function<void()>& what)
 }
 
 gpu::PipelineRef Draws::pipeline(const gpu::PipelineDesc& desc) {
-  gpu::PipelineRef& found = pipelines_[key_of(desc)];
+  gpu::PipelineRef& found = pipelines_[gpu::key_of(desc)];
   if (!found && expecting_) expected_.push_back(desc);
   if (!found && !expecting_) found = device_.create(desc);
   return found;

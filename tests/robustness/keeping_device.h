@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gpu/device.h"
+#include "gpu/pipeline_key.h"
 
 #include <map>
 #include <string>
@@ -15,10 +16,10 @@ public:
   explicit KeepingDevice(gpu::Device& device) : device_(device) {}
 
   gpu::PipelineRef create(const gpu::PipelineDesc& desc) override {
-    return kept(key_of(desc), [&] { return device_.create(desc); });
+    return kept(gpu::key_of(desc), [&] { return device_.create(desc); });
   }
   gpu::PipelineRef create(const gpu::ComputeDesc& desc) override {
-    return kept(key_of(desc), [&] { return device_.create(desc); });
+    return kept(gpu::key_of(desc), [&] { return device_.create(desc); });
   }
   void expect(std::span<const gpu::PipelineDesc> pipelines) override { expect_new(pipelines); }
   void expect(std::span<const gpu::ComputeDesc> pipelines) override { expect_new(pipelines); }
@@ -71,31 +72,8 @@ private:
   void expect_new(std::span<const Desc> pipelines) {
     std::vector<Desc> unknown;
     for (const Desc& desc : pipelines)
-      if (!pipelines_.contains(key_of(desc))) unknown.push_back(desc);
+      if (!pipelines_.contains(gpu::key_of(desc))) unknown.push_back(desc);
     device_.expect(unknown);
-  }
-
-  static std::string key_of(const gpu::ComputeDesc& desc) {
-    return words(desc.compute, desc.constants);
-  }
-  static std::string key_of(const gpu::PipelineDesc& desc) {
-    std::string key = words(desc.vertex + ' ' + desc.fragment, desc.constants);
-    const auto add = [&](auto... numbers) {
-      ((key += ' ' + std::to_string(static_cast<long long>(numbers))), ...);
-    };
-    for (const gpu::VertexBinding& binding : desc.bindings)
-      add('b', binding.stride, binding.step);
-    for (const gpu::Attribute& a : desc.attributes)
-      add('a', a.location, a.components, a.binding, a.offset);
-    for (const gpu::Format format : desc.colors)
-      add('c', format);
-    add('d', desc.depth, desc.depth_write, desc.depth_compare, desc.cull, desc.blend);
-    return key;
-  }
-  static std::string words(std::string key, const std::vector<gpu::Constant>& constants) {
-    for (const gpu::Constant& constant : constants)
-      key += ' ' + std::to_string(constant.id) + '=' + std::to_string(constant.bits);
-    return key;
   }
 
   gpu::Device& device_;

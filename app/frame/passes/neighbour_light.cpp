@@ -16,26 +16,9 @@ std::size_t of_corners(Graph& graph, const char* name, gpu::Format format = colo
                        .height = corners_of(graph.height)});
 }
 
-// Of each material's region a depth of its own at the corners that show it.
-void declare_corners(Graph& graph, std::size_t depth) {
-  const auto prepare = [](Context& context) -> Record {
-    gpu::PipelineRef find =
-        context.draws.pipeline(gpu::PipelineDesc{.label = "neighbour corners",
-                                                 .vertex = "region.vert",
-                                                 .fragment = "neighbour_corners.frag",
-                                                 .depth = depth_format,
-                                                 .depth_compare = gpu::Compare::always});
-    return [&context, find](gpu::Encoder& encoder) {
-      encoder.use(find);
-      bind_region(encoder, context.regions, all_opaque_corners(context.needs));
-      encoder.draw(6);
-    };
-  };
-  graph.passes.push_back(
-      {.label = "neighbour corners",
-       .reads = {{"geometry", {geometry_buffer(graph)}}, {"sceneDepth", {scene_depth(graph)}}},
-       .depth = DepthOutput{depth, 0.0f},
-       .prepare = prepare});
+// A region's draws have the same material and the same neighbours.
+bool interpolates(const needs::Region& region) {
+  return needs::interpolates_neighbours(*region.draws.front());
 }
 
 void declare_light(Graph& graph, const needs::Needs& needs, std::size_t depth,
@@ -49,8 +32,8 @@ void declare_light(Graph& graph, const needs::Needs& needs, std::size_t depth,
                         .depth_compare = gpu::Compare::equal};
     std::vector<RecordedRegion> regions;
     for (std::size_t i = 0; i < context.needs.opaque_regions.size(); ++i) {
+      if (!interpolates(context.needs.opaque_regions[i])) continue;
       const needs::Draw& draw = *context.needs.opaque_regions[i].draws.front();
-      if (!needs::interpolates_neighbours(draw)) continue;
       regions.push_back(
           {&draw, region_pipeline(context, pass, draw, false), opaque_corners(context.needs, i)});
     }
@@ -64,10 +47,7 @@ void declare_light(Graph& graph, const needs::Needs& needs, std::size_t depth,
             .reads = {{"geometry", {geometry_buffer(graph)}}},
             .depth = DepthOutput{depth},
             .prepare = prepare};
-  pass.draws = static_cast<std::size_t>(
-      std::ranges::count_if(needs.opaque_regions, [](const needs::Region& region) {
-        return needs::interpolates_neighbours(*region.draws.front());
-      }));
+  pass.draws = static_cast<std::size_t>(std::ranges::count_if(needs.opaque_regions, interpolates));
   if (graph.find("geometry maps")) pass.reads.push_back({"geometryMaps", {geometry_maps(graph)}});
   for (const Input& target : light)
     pass.colors.push_back({.part = target.part, .clear = {{0, 0, 0, 0}}});
@@ -94,10 +74,7 @@ void declare_cells(Graph& graph, const std::vector<Input>& light, const Input& c
 } // namespace
 
 std::optional<NeighbourLight> declare_neighbour_light(Graph& graph, const needs::Needs& needs) {
-  if (std::ranges::none_of(needs.opaque_regions, [](const needs::Region& region) {
-        return needs::interpolates_neighbours(*region.draws.front());
-      }))
-    return std::nullopt;
+  if (std::ranges::none_of(needs.opaque_regions, interpolates)) return std::nullopt;
   const std::size_t depth = of_corners(graph, "neighbour corners", depth_format);
   NeighbourLight light{
       .corners = {{"neighbourIrradiance", {of_corners(graph, "neighbour irradiance")}},
@@ -109,7 +86,11 @@ std::optional<NeighbourLight> declare_neighbour_light(Graph& graph, const needs:
                                .height = corners_of(graph.height) - 1})}}};
   std::vector<Input> all = light.corners;
   all.push_back({"neighbourSent", {of_corners(graph, "neighbour sent")}});
-  declare_corners(graph, depth);
+  declare_region_depths(graph, {.label = "neighbour corners",
+                                .fragment = "neighbour_corners.frag",
+                                .constants = {},
+                                .block = all_opaque_corners,
+                                .depth = depth});
   declare_light(graph, needs, depth, all);
   declare_cells(graph, all, light.cells);
   for (Input& corner : light.corners)

@@ -55,6 +55,15 @@ void declare_accumulate(Graph& graph, const needs::Needs& needs);
 std::size_t geometry_buffer(Graph& graph);
 std::size_t geometry_maps(Graph& graph);
 std::size_t material_depth(Graph& graph);
+// A pass that writes a depth of its own for the region of each material: an early test for equal depth then finds its fragments.
+struct RegionDepths {
+  const char* label;
+  const char* fragment;
+  std::vector<gpu::Constant> constants;
+  std::size_t (*block)(const needs::Needs& needs); // of all regions as one: regions.h
+  std::size_t depth;                               // written
+};
+void declare_region_depths(Graph& graph, const RegionDepths& depths);
 // Of a stage over stages/opaque_region.glsl; `interpolates` what neighbours add.
 gpu::PipelineRef region_pipeline(const Context& context, const DrawPass& pass,
                                  const needs::Draw& draw, bool interpolates);
